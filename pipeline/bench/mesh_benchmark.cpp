@@ -35,6 +35,13 @@ constexpr double kPolygonShare = 0.1;
 
 using Points = std::vector<Eigen::Vector3d>;
 
+/// Somewhere on the ray that comes to the target from `away`: from within the scene to far beyond
+/// all cameras. Every way of weighing is asked from such eyes.
+Eigen::Vector3d eye_on_ray(const Eigen::Vector3d& target, const Eigen::Vector3d& away,
+                           HashedRandom& random) {
+    return target + (0.2 + 3 * random.uniform()) * away;
+}
+
 /// Of the cube of the lattice that the point lies in.
 Eigen::Vector3d middle_of_polygon(const Eigen::Vector3d& point, double side) {
     return side * ((point / side).array().floor() + 0.5);
@@ -102,8 +109,8 @@ class Benchmark {
             const Eigen::Vector3d away = random_direction(random);
             ++result_.rays;
             if (faces_entered(built.mesh, target, -away) == 1) ++result_.rays_with_one_face;
-            ours_.add_ray(weigh, target + (0.2 + 3 * random.uniform()) * away,
-                          target + (0.2 + 3 * random.uniform()) * away, target);
+            const Eigen::Vector3d eye = eye_on_ray(target, away, random);
+            ours_.add_ray(weigh, eye, eye_on_ray(target, away, random), target);
         }
         ours_.add_path(weigh, random_direction(random), random_direction(random),
                        random_target(capture, random));
@@ -168,10 +175,10 @@ class Benchmark {
         for (const View& view : capture.views) {
             axes.push_back(optical_axis_in_world(view.cam_from_world));
         }
-        // The frame of an eye looks at the middle of the scene.
+        // The frame of an eye looks along the ray, as one that stands within the scene may have its
+        // middle behind it.
         const WayOfWeighing heigl = [&](const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
-            return HeiglFrame(centres, axes, looking_at(eye, Eigen::Vector3d::Zero()))
-                .weights_towards(target);
+            return HeiglFrame(centres, axes, looking_at(eye, target)).weights_towards(target);
         };
         const WayOfWeighing unstructured = [&](const Eigen::Vector3d& eye,
                                                const Eigen::Vector3d& target) {
@@ -185,14 +192,11 @@ class Benchmark {
         for (int i = 0; i < kComparedRays; ++i) {
             const Eigen::Vector3d target = random_target(capture, random);
             const Eigen::Vector3d away = random_direction(random);
-            // Outside of all cameras: from there Heigl's triangles lie around most pixels.
-            const Eigen::Vector3d eye = target + (2 + 2 * random.uniform()) * away;
-            const Eigen::Vector3d other = target + (2 + 2 * random.uniform()) * away;
+            const Eigen::Vector3d eye = eye_on_ray(target, away, random);
+            const Eigen::Vector3d other = eye_on_ray(target, away, random);
             heigl_.add_ray(heigl, eye, other, target);
+            unstructured_.add_ray(unstructured, eye, other, target);
             view_dependent_.add_ray(view_dependent, eye, other, target);
-            // Nearer than the cameras, where its penalty for coarse views counts.
-            unstructured_.add_ray(unstructured, target + 0.3 * (eye - target),
-                                  target + 0.15 * (other - target), target);
         }
         const Eigen::Vector3d from = random_direction(random);
         const Eigen::Vector3d to = random_direction(random);

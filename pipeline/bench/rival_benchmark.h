@@ -22,7 +22,8 @@ struct RivalScene {
     int photographs = 0;
     std::string paper;  ///< What the paper reports of its scene.
     std::vector<RivalFigures> rivals;
-    double common_share = 0.0;  ///< Of pixels that all methods that have a say cover.
+    double common_share = 0.0;              ///< Of pixels that all methods that have a say cover.
+    double off_cameras_common_share = 0.0;  ///< The same of eyes off the cameras.
     /// Of the frame's time that occlusion correction takes: adaptive, and per pixel.
     double adaptive_occlusion_share = 0.0;
     double per_pixel_occlusion_share = 0.0;

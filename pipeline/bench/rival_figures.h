@@ -15,6 +15,13 @@ struct RivalFrameFigures {
     double coverage = 0.0;
 };
 
+/// Of frames of eyes off the cameras (RivalCapture::off_cameras), beside what is true.
+struct OffCamerasFigures {
+    std::optional<double> psnr_common_db;   ///< As RivalFigures::psnr_common_db.
+    std::optional<double> psnr_covered_db;  ///< As RivalFigures::psnr_covered_db.
+    double coverage = 0.0;
+};
+
 /// One way of drawing one of the scenes.
 struct RivalFigures {
     std::string method;
@@ -45,6 +52,7 @@ struct RivalFigures {
     /// Over what all methods that have a say cover (common_pixels.h): the same pixels for all.
     std::optional<double> psnr_common_db;
     double coverage = 0.0;
+    OffCamerasFigures off_cameras;
     /// Of the pixels that the method covers in any frame, the share that shows another surface: off
     /// by more than a fifth of the range, and not within two pixels of a silhouette. Empty where
     /// nothing is covered.

@@ -84,6 +84,7 @@ RivalMeasurement::RivalMeasurement(const RivalCapture& capture, RivalPictureSink
     : capture_(capture),
       keep_(std::move(keep)),
       held_out_surroundings_(surroundings_of(capture.held_out, capture.lumigraph)),
+      off_cameras_surroundings_(surroundings_of(capture.off_cameras, capture.lumigraph)),
       path_surroundings_(surroundings_of(capture.path, capture.lumigraph)) {
     for (std::size_t i = 0; i < capture.held_out.size(); ++i)
         keep_({capture.name, "photograph", i, capture.held_out[i].picture});
@@ -118,7 +119,27 @@ RivalFigures RivalMeasurement::measured(const RivalMethod& method, const DrawFra
     figures.psnr_covered_db = mean_of_covered(figures.frames);
     figures.wrong_layer_share = share_of_covered(wrong_layers.wrong, wrong_layers);
     figures.avoidable_wrong_layer_share = share_of_covered(wrong_layers.avoidable, wrong_layers);
+    figures.off_cameras = off_cameras_of(method, draw);
     if (capture_.path.size() > 1) figures.flicker = flicker_of(draw);
+    return figures;
+}
+
+OffCamerasFigures RivalMeasurement::off_cameras_of(const RivalMethod& method,
+                                                   const DrawFrame& draw) {
+    OffCamerasFigures figures;
+    std::vector<double> covered_db;
+    std::vector<double> coverages;
+    for (std::size_t i = 0; i < capture_.off_cameras.size(); ++i) {
+        const TrueFrame& truth = capture_.off_cameras[i];
+        const Frame drawn = filled(draw(truth.eye), off_cameras_surroundings_[i]);
+        off_cameras_common_.add(key_of(method.method, method.settings), method.has_say,
+                                std::to_string(i), truth.picture, drawn);
+        if (const auto db = psnr_db(drawn.color, truth.picture, drawn.coverage))
+            covered_db.push_back(*db);
+        coverages.push_back(covered_share(drawn.coverage));
+    }
+    if (!covered_db.empty()) figures.psnr_covered_db = mean_of(covered_db);
+    figures.coverage = mean_of(coverages);
     return figures;
 }
 
@@ -143,6 +164,7 @@ void RivalMeasurement::measure_common_pixels(std::vector<RivalFigures>& rivals) 
         for (std::size_t i = 0; i < rival.frames.size(); ++i)
             rival.frames[i].psnr_common_db = common_.psnr_db(key, std::to_string(i));
         rival.psnr_common_db = common_.mean_psnr_db(key);
+        rival.off_cameras.psnr_common_db = off_cameras_common_.mean_psnr_db(key);
     }
 }
 

@@ -39,22 +39,28 @@ class RivalMeasurement {
     explicit RivalMeasurement(
         const RivalCapture& capture, RivalPictureSink keep = [](const RivalPicture&) {});
 
-    /// The figures of a method's pictures, but for those of common pixels, and no times.
+    /// The figures of a method's pictures, but for those of common pixels, and no times. Those of
+    /// held-out places are drawn first.
     [[nodiscard]] RivalFigures measured(const RivalMethod& method, const DrawFrame& draw);
 
     /// Fills in what is measured on the pixels that all methods with a say cover: those of
     /// `rivals`, which are all that were measured.
     void measure_common_pixels(std::vector<RivalFigures>& rivals) const;
     [[nodiscard]] double common_share() const { return common_.share(); }
+    [[nodiscard]] double off_cameras_common_share() const { return off_cameras_common_.share(); }
 
  private:
+    [[nodiscard]] OffCamerasFigures off_cameras_of(const RivalMethod& method,
+                                                   const DrawFrame& draw);
     [[nodiscard]] double flicker_of(const DrawFrame& draw) const;
 
     const RivalCapture& capture_;
     RivalPictureSink keep_;
     std::vector<ColorImage> held_out_surroundings_;
+    std::vector<ColorImage> off_cameras_surroundings_;
     std::vector<ColorImage> path_surroundings_;
     CommonPixels common_;
+    CommonPixels off_cameras_common_;
 };
 
 }  // namespace lumi

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kColumnWidth = 11;
+constexpr std::size_t kColumnWidth = 12;
 constexpr int kCsvDecimals = 6;
 
 /// A figure of a method: where it stands in the table, in CSV and in JSON.
@@ -59,6 +59,12 @@ const std::vector<Figure>& figures_of_rivals() {
          [](const Rival& r) -> Value { return r.covered_frames; }},
         {"coverage", "cover %", 1, 100, [](const Rival& r) -> Value { return r.coverage; },
          [](const Frame& f) -> Value { return f.coverage; }},
+        {"psnr_off_cameras_common_db", "off cameras", 2, 1,
+         [](const Rival& r) { return r.off_cameras.psnr_common_db; }},
+        {"psnr_off_cameras_covered_db", "off covered", 2, 1,
+         [](const Rival& r) { return r.off_cameras.psnr_covered_db; }},
+        {"off_cameras_coverage", "off cover %", 1, 100,
+         [](const Rival& r) -> Value { return r.off_cameras.coverage; }},
         {"wrong_layer_share", "wrong %", 3, 100,
          [](const Rival& r) { return r.wrong_layer_share; }},
         {"avoidable_wrong_layer_share", "avoidable", 3, 100,
@@ -143,6 +149,7 @@ Json rival_scenes_json(const std::vector<RivalScene>& scenes) {
                         {"photographs", scene.photographs},
                         {"paper", scene.paper},
                         {"common_share", scene.common_share},
+                        {"off_cameras_common_share", scene.off_cameras_common_share},
                         {"adaptive_occlusion_share", scene.adaptive_occlusion_share},
                         {"per_pixel_occlusion_share", scene.per_pixel_occlusion_share},
                         {"rivals", std::move(rivals)}});
@@ -178,7 +185,11 @@ std::string rivals_text(const std::vector<RivalScene>& scenes) {
             "black in paper2001, heigl and plain code; common: of the " +
             number_text(100 * scene.common_share, 1) +
             " % of pixels that all methods cover that draw from the photographs' depth (of heigl "
-            "triangles decide, too); covered: of what it covers itself; wrong, avoidable: of what "
+            "triangles decide, too); covered: of what it covers itself; off cameras: as common, of "
+            "eyes a tenth of the way nearer to the scene and farther from it than the photographs "
+            "(" +
+            number_text(100 * scene.off_cameras_common_share, 1) +
+            " % of their pixels), off covered: of what it covers there; wrong, avoidable: of what "
             "it covers, what shows another surface, and where some photograph shows the right "
             "one\nocclusion correction takes " +
             number_text(100 * scene.adaptive_occlusion_share, 1) + " % of adaptive, " +

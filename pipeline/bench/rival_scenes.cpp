@@ -10,6 +10,7 @@
 #include "meshing/surface/depth_map.h"
 #include "pipeline/bench/shown_pixels.h"
 #include "pipeline/evaluate/asked_efforts.h"
+#include "pipeline/evaluate/moved_eye.h"
 #include "pipeline/synth/photographer.h"
 #include "pipeline/synth/scene_description.h"
 #include "pipeline/synth/synthesize.h"
@@ -194,6 +195,10 @@ RivalCapture rival_capture(const std::string& name, const RivalCaptureOptions& o
     choose(asked_drawing_efforts(lumigraph, kept, {}, {}, progress), lumigraph.drawing);
     for (TrueFrame& frame : result.held_out)
         frame.shown = shown_pixels(frame.depth, frame.eye, lumigraph.views);
+    for (const TrueFrame& frame : result.held_out)
+        for (const double share_of_distance : {0.1, -0.1})
+            result.off_cameras.push_back(true_frame(
+                description, moved_ahead(lumigraph, frame.eye, share_of_distance).cam_from_world));
     for (int i = 0; i < options.path_frames; ++i)
         result.path.push_back(true_frame(
             description,

@@ -25,6 +25,9 @@ struct RivalCapture {
     std::vector<std::size_t> paper_triangles;  ///< At which the paper reports frames a second.
     Lumigraph lumigraph;
     std::vector<TrueFrame> held_out;
+    /// Each of these places twice, a tenth of the way towards the scene and as far away from it:
+    /// where photographs stand, a method is judged only for eyes on the surface of the cameras.
+    std::vector<TrueFrame> off_cameras;
     std::vector<TrueFrame> path;  ///< Even steps between two places that are held out.
 };
 

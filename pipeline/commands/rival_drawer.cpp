@@ -32,10 +32,10 @@ Draw plain_draw(const PlainRival& rival, const Lumigraph& lumigraph, bool guess_
 
 /// What a rival's own pictures are drawn by.
 struct ResampledDrawing {
-    explicit ResampledDrawing(Lumigraph resampled)
-        : pictures(std::move(resampled)), renderer(pictures) {}
+    explicit ResampledDrawing(ResampledPictures resampled)
+        : pictures(std::move(resampled)), renderer(pictures.lumigraph) {}
 
-    Lumigraph pictures;
+    ResampledPictures pictures;
     OffscreenRenderer renderer;
 };
 
@@ -44,7 +44,9 @@ FrameDrawer resampled_drawer(const ResampledRival& rival, const Lumigraph& lumig
     progress.note("resampling for " + rival.name);
     const auto drawing =
         std::make_shared<ResampledDrawing>(resampled_pictures(rival, lumigraph, progress));
-    return {[drawing, options](const Eye& eye) { return drawing->renderer.draw(eye, options); },
+    return {[drawing, on_plane = drawing->pictures.on_shared_plane(options)](const Eye& eye) {
+                return drawing->renderer.draw(eye, on_plane);
+            },
             drawing->renderer.gl_description()};
 }
 

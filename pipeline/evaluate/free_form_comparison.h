@@ -9,7 +9,9 @@
 namespace lumi {
 
 /// One of lumi's modes beside the same mode of pictures that a regular parameterisation asks for:
-/// what the paper measures free-form light fields by.
+/// what the paper measures free-form light fields by. Both are drawn by the same code, which
+/// projects into three views in either case, so that the ratio tells what other pictures and
+/// triangles cost, not what a renderer would save that knows its cameras' plane.
 struct FreeFormBesideResampled {
     RenderMode mode = RenderMode::kLightField;
     std::string resampled;            ///< RivalScores::method, such as "two-plane adaptive".

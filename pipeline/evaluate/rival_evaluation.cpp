@@ -55,12 +55,13 @@ class RivalJudge {
     void judge_resampled(const ResampledRival& rival) {
         progress_.note("resampling for " + rival.name);
         const Stopwatch stopwatch;
-        const Lumigraph pictures = resampled_pictures(rival, lumigraph_, progress_);
+        const ResampledPictures pictures = resampled_pictures(rival, lumigraph_, progress_);
         const double cpu_s = stopwatch.elapsed().cpu_s;
-        OffscreenRenderer renderer(pictures);
+        OffscreenRenderer renderer(pictures.lumigraph);
         for (const RenderMode mode : {RenderMode::kLightField, RenderMode::kAdaptive})
             judge_views({rival.name + ' ' + name_of(mode)}, cpu_s, [&](const Eye& eye) {
-                return timed_frame(renderer, eye, {.mode = mode}, timed_frames_);
+                return timed_frame(renderer, eye, pictures.on_shared_plane({.mode = mode}),
+                                   timed_frames_);
             });
     }
 

@@ -14,6 +14,11 @@ namespace lumi {
 /// options name. Of depth it knows nothing but which pixels of photographs are mixed of two
 /// surfaces (photograph_opacity.h): without that, held-out photographs are drawn as well to 0.1 dB.
 ///
+/// The paper fixes each camera's plane, so that a ray is looked up alike by every eye. The scene
+/// plane turns as the eye moves: of a ray that two eyes share the weights are the same, but where
+/// photographs are looked up off the scene's surface moves by some pixels. On a plane that stands
+/// fixed (FocalPlane::cam_from_world) it does not.
+///
 /// Most of the picture is drawn as pieces on which the lookup is affine (affine_pieces.h), for
 /// little more than the blend itself; pixel by pixel only where a photograph's border runs.
 class LightField : public DrawingMode {

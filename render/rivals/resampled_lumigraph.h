@@ -5,6 +5,7 @@
 
 #include "render/frame/frame.h"
 #include "render/lumigraph/lumigraph.h"
+#include "render/transfer/focal_plane.h"
 
 namespace lumi {
 
@@ -15,6 +16,9 @@ using DrawEye = std::function<Frame(const Eye&)>;
 struct LightFieldLayout {
     std::vector<Eye> eyes;
     CameraMesh mesh;  ///< Its view indices point into `eyes`.
+    /// Of which all pictures show the same rectangle: without depth they are looked up there. None
+    /// where they share none.
+    FocalPlane shared_plane{};
 };
 
 /// Half the width and half the height that the median photograph shows at the scene's centre: what

@@ -15,7 +15,8 @@ struct SphericalOptions {
 /// A sphere-plane light field (Camahort, Lerios, Fussell 1998; the paper's "spherical" rivals): one
 /// parallel picture of the scene for each of many even directions, of a square as large as what the
 /// median photograph shows (seen_half_size). Parallel projection is approached by eyes that stand
-/// twenty times half its side away.
+/// twenty times half its side away. They share no plane: without depth they are looked up on the
+/// scene plane (scene_plane.h).
 [[nodiscard]] LightFieldLayout spherical_light_field(const Lumigraph& source,
                                                      const SphericalOptions& options);
 

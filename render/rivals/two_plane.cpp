@@ -141,6 +141,9 @@ LightFieldLayout two_plane_slab(const Lumigraph& source, const TwoPlaneOptions& 
                           here - options.columns);
         }
     }
+    const Rigid3& cam_from_world = layout.eyes.front().cam_from_world;
+    layout.shared_plane = {.depth = (cam_from_world * plane.scene_centre_in_world).z(),
+                           .cam_from_world = cam_from_world};
     return layout;
 }
 

@@ -14,7 +14,9 @@ struct UnstructuredLumigraphOptions {
 
 /// Unstructured lumigraph rendering (Buehler et al., SIGGRAPH 2001) in plain code: for each pixel
 /// the four views with the least penalty of angle, resolution and field of view that see the point,
-/// of all views. `known` is the geometry, which the paper is given.
+/// of all views. The paper weighs at the vertices of a triangulated picture and draws that with
+/// textures; here it is done at every pixel, which is finer and takes longer. `known` is the
+/// geometry, which the paper is given.
 [[nodiscard]] Frame draw_unstructured_lumigraph(const Lumigraph& lumigraph, const Eye& eye,
                                                 const EyeDepths& known,
                                                 const UnstructuredLumigraphOptions& options = {});

@@ -26,10 +26,13 @@ struct PaperSubdivisionOptions {
 /// (T-vertex removal). Whether a view sees a vertex is yes or no: it does while depths differ by
 /// less than twice DrawingChoices::occlusion_tolerance_px, where the ramp of other modes ends.
 ///
-/// What the paper leaves open: of smallest triangles of which rays miss the scene those are drawn
-/// whose centre meets it, their other vertices on the scene plane. Depth comes from the views'
-/// depth maps; where the paper casts rays into a mesh or a volume, these are seen through depth
-/// maps made of them for each photograph, by a z-buffer or by rays (`[depth] model`).
+/// What the paper leaves open: a ray's depth is what two of the patch's three views agree on, their
+/// mean, or else the nearest that one sees, or a guess (DepthSearch::first_hit); where the first
+/// two agree the third is not asked. So it is at a camera's own vertex, too, where the paper looks
+/// up that camera's depth map alone. Of smallest triangles of which rays miss the scene those are
+/// drawn whose centre meets it, their other vertices on the scene plane. Depth comes from the
+/// views' depth maps; where the paper casts rays into a mesh or a volume, these are seen through
+/// depth maps made of them for each photograph, by a z-buffer or by rays (`[depth] model`).
 [[nodiscard]] BlendTriangles paper_subdivision(const std::vector<FacePolygon>& polygons,
                                                const DepthSearch& search,
                                                const Eigen::Vector3d& scene_plane,

@@ -60,6 +60,54 @@ TEST_F(RivalMeasurementOfCoke, WrongSurfacesAreAShareOfWhatIsCovered) {
     EXPECT_FALSE(measured("none", 0).wrong_layer_share.has_value());
 }
 
+TEST_F(RivalMeasurementOfCoke, EyesOffTheCamerasAreATenthNearerAndFartherAndMeetTheTruth) {
+    const RivalCapture coke = capture();
+    ASSERT_EQ(coke.off_cameras.size(), 2 * coke.held_out.size());
+    for (std::size_t i = 0; i < coke.off_cameras.size(); ++i) {
+        const Eye& eye = coke.off_cameras[i].eye;
+        const Eye& photographer = coke.held_out[i / 2].eye;
+        const Eigen::Vector3d centre = coke.lumigraph.mesh.scene_centre_in_world;
+        const double z = (photographer.cam_from_world * centre).z();
+        EXPECT_NEAR((eye.cam_from_world * centre).z() / z, i % 2 == 0 ? 0.9 : 1.1, 0.01);
+        EXPECT_EQ(coke.off_cameras[i].picture,
+                  true_picture("coke", {.size_px = 64, .held_out = 2, .path_frames = 0}, eye));
+    }
+}
+
+TEST_F(RivalMeasurementOfCoke, OfEyesOffTheCamerasIsOnTheirOwnCommonPixels) {
+    const RivalCapture coke = capture();
+    RivalMeasurement measurement(coke);
+    // All is true on the left, which alone the first covers, and black on the right, which the
+    // second covers, too; at held-out places nothing is.
+    const auto measured = [&](const std::string& method, int covered_columns) {
+        std::size_t drawn = 0;
+        return measurement.measured({method, "", 1, true}, [&](const Eye& eye) {
+            Frame frame = empty_frame(eye.camera);
+            if (drawn++ < coke.held_out.size()) return frame;
+            const TrueFrame& truth = coke.off_cameras[drawn - 1 - coke.held_out.size()];
+            for (int y = 0; y < 64; ++y)
+                for (int x = 0; x < covered_columns; ++x) {
+                    if (x < 32) frame.color(x, y) = truth.picture(x, y);
+                    frame.coverage(x, y) = 255;
+                }
+            return frame;
+        });
+    };
+    std::vector<RivalFigures> rivals{measured("left", 32), measured("all", 64)};
+    measurement.measure_common_pixels(rivals);
+    const ColorImage truth(8, 8);
+    const double exact_db = psnr_db(truth, truth);
+    for (const RivalFigures& rival : rivals) {
+        EXPECT_FALSE(rival.psnr_common_db.has_value()) << rival.method;
+        EXPECT_EQ(rival.off_cameras.psnr_common_db, exact_db) << rival.method;
+    }
+    EXPECT_EQ(rivals[0].off_cameras.psnr_covered_db, exact_db);
+    EXPECT_LT(rivals[1].off_cameras.psnr_covered_db.value(), 20);
+    EXPECT_DOUBLE_EQ(rivals[0].off_cameras.coverage, 0.5);
+    EXPECT_DOUBLE_EQ(rivals[1].off_cameras.coverage, 1.0);
+    EXPECT_DOUBLE_EQ(measurement.off_cameras_common_share(), 0.5);
+}
+
 TEST_F(RivalMeasurementOfCoke, HasDepthMeshesBeforeAnythingIsTimed) {
     for (const LumigraphView& view : capture().lumigraph.views) EXPECT_NE(view.depth_mesh, nullptr);
 }

@@ -70,6 +70,10 @@ TEST(BenchCommands, MeasuresTheRivalsOnAPaperScene) {
         EXPECT_EQ(rival.at("depth_cpu_ms").is_null(),
                   method != "unstructured lumigraph" && method != "view-dependent texture");
     }
+    std::map<std::string, double> off_cameras_db;
+    for (const Json& rival : scene.at("rivals"))
+        off_cameras_db.try_emplace(rival.at("method"), rival.at("psnr_off_cameras_common_db"));
+    EXPECT_GT(off_cameras_db["perpixel"], off_cameras_db["lightfield"] + 3);
     const std::string csv = read_whole_text(scratch / "rivals.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'),
               static_cast<long>(1 + 3 * scene.at("rivals").size()));

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "render/reference/eye_depths.h"
 #include "render/reference/reference_renderer.h"
@@ -9,6 +11,7 @@
 #include "render/rivals/two_plane.h"
 #include "render/rivals/unstructured_lumigraph.h"
 #include "render/rivals/view_dependent_texture.h"
+#include "render/transfer/sampling.h"
 #include "tests/render/analytic_scene.h"
 #include "tests/render/frame_difference.h"
 
@@ -42,6 +45,91 @@ TEST(TwoPlane, AnEyePointReturnsItsResampledPicture) {
     const LumigraphView& view = slab.views[4];
     const Frame drawn = draw_reference(slab, eye_of(view), {.mode = RenderMode::kLightField});
     EXPECT_LE(difference_between(drawn.color, view.photograph).largest, 1);
+}
+
+/// A slab of three by three eye points, and its pictures of the printed card, which have no depth.
+struct SlabOfPrintedCard {
+    static constexpr int kAcross = 3;
+    static constexpr double kSide_px = 48;
+
+    Lumigraph source = [] {
+        Lumigraph scene = card_before_wall();
+        for (LumigraphView& view : scene.views) view.depth = {};
+        return scene;
+    }();
+    LightFieldLayout layout = two_plane_slab(
+        source, {.columns = kAcross, .rows = kAcross, .width_px = 48, .height_px = 48});
+    Lumigraph pictures = resampled(source, layout, [](const Eye& eye) {
+        Frame frame = empty_frame(eye.camera);
+        frame.color = ideal_photograph(AnalyticScene::kPrintedCard, eye);
+        return frame;
+    });
+
+    /// The colour of a ray by its four coordinates, which are found here without any camera: where
+    /// it meets the plane of the eye points and the parallel one through the scene's centre. Empty
+    /// outside of the slab.
+    [[nodiscard]] std::optional<Eigen::Vector3d> color_of(const Eigen::Vector3d& from_in_world,
+                                                          const Eigen::Vector3d& direction) const {
+        const Eigen::Quaterniond& plane_from_world = layout.eyes[0].cam_from_world.rotation;
+        const auto eye_point = [&](std::size_t i) {
+            return (plane_from_world * centre_in_world(layout.eyes[i].cam_from_world)).eval();
+        };
+        const Eigen::Vector3d from = plane_from_world * from_in_world;
+        const Eigen::Vector3d along = plane_from_world * direction;
+        const auto met_at = [&](double z) {
+            return (from + (z - from.z()) / along.z() * along).head<2>().eval();
+        };
+        const Eigen::Vector3d centre = plane_from_world * source.mesh.scene_centre_in_world;
+        const Eigen::Vector2d pixel =
+            0.5 * kSide_px *
+            (Eigen::Vector2d::Ones() +
+             (met_at(centre.z()) - centre.head<2>()).cwiseQuotient(seen_half_size(source)));
+        const Eigen::Vector2d steps =
+            (met_at(eye_point(0).z()) - eye_point(0).head<2>())
+                .cwiseQuotient((eye_point(kAcross + 1) - eye_point(0)).head<2>());
+        if (pixel.minCoeff() < 2 || pixel.maxCoeff() > kSide_px - 2 || steps.minCoeff() < 0 ||
+            steps.maxCoeff() > kAcross - 1)
+            return std::nullopt;
+        const Eigen::Vector2d cell = steps.array().floor().min(kAcross - 2.0);
+        const double u = (steps - cell).x();
+        const double v = (steps - cell).y();
+        const auto first = static_cast<std::size_t>(kAcross * cell.y() + cell.x());
+        // Squares are halved from the first corner to the last.
+        const std::size_t third = u > v ? first + 1 : first + kAcross;
+        const auto color = [&](std::size_t i) {
+            return bilinear(pictures.views[i].photograph, pixel);
+        };
+        return (1 - std::max(u, v)) * color(first) + std::abs(u - v) * color(third) +
+               std::min(u, v) * color(first + kAcross + 1);
+    }
+};
+
+TEST(TwoPlane, ARayBetweenEyePointsIsLookedUpByItsFourCoordinates) {
+    const SlabOfPrintedCard slab;
+    const Eye eye = eye_at({0.7, 0.5, -1.5}, {0, 0, 4}, pinhole_camera(64, 48, 80));
+    const auto farthest_off = [&](const FocalPlane& plane) {
+        const Frame drawn = draw_reference(slab.pictures, eye,
+                                           {.mode = RenderMode::kLightField, .focal_plane = plane});
+        double farthest = 0;
+        int rays = 0;
+        for (int y = 0; y < eye.camera.height_px; ++y) {
+            for (int x = 0; x < eye.camera.width_px; ++x) {
+                const auto expected = slab.color_of(centre_in_world(eye.cam_from_world),
+                                                    eye.cam_from_world.rotation.conjugate() *
+                                                        unproject(eye.camera, {x + 0.5, y + 0.5}));
+                if (!expected) continue;
+                ++rays;
+                const Rgb8& color = drawn.color(x, y);
+                farthest =
+                    std::max(farthest, (Eigen::Vector3d(color.r, color.g, color.b) - *expected)
+                                           .lpNorm<Eigen::Infinity>());
+            }
+        }
+        EXPECT_GT(rays, 500);
+        return farthest;
+    };
+    EXPECT_LT(farthest_off(slab.layout.shared_plane), 1.5);
+    EXPECT_GT(farthest_off({}), 5) << "on the scene plane, which faces the eye";
 }
 
 TEST(TwoPlane, SixSlabsAreEnteredByEveryRay) {
