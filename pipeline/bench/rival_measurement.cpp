@@ -132,7 +132,7 @@ OffCamerasFigures RivalMeasurement::off_cameras_of(const RivalMethod& method,
     for (std::size_t i = 0; i < capture_.off_cameras.size(); ++i) {
         const TrueFrame& truth = capture_.off_cameras[i];
         const Frame drawn = filled(draw(truth.eye), off_cameras_surroundings_[i]);
-        off_cameras_common_.add(key_of(method.method, method.settings), method.has_say,
+        off_cameras_common_.add({key_of(method.method, method.settings), method.has_say},
                                 std::to_string(i), truth.picture, drawn);
         if (const auto db = psnr_db(drawn.color, truth.picture, drawn.coverage))
             covered_db.push_back(*db);
