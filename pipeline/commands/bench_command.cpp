@@ -224,9 +224,10 @@ void add_bench_command(CLI::App& app, CommandContext& context) {
         command.add_option("--size", request->size, "Of the frames")->capture_default_str();
     CLI::Option* path =
         command
-            .add_option("--path", request->path,
-                        "From photograph to photograph (the word views), or a path that the window "
-                        "recorded (a JSON file)")
+            .add_option(
+                "--path", request->path,
+                "Straight from photograph to photograph (the word views), or a path that the "
+                "window recorded (a JSON file)")
             ->capture_default_str();
     CLI::Option* mode = command
                             .add_option("--mode", request->modes,

@@ -38,10 +38,20 @@ struct EyeFile {
 /// naming the file.
 [[nodiscard]] EyeFile read_eye_file(const std::filesystem::path& path);
 
+/// Of a path without times, where nothing else is asked for.
+inline constexpr double kUsualEyesPerSecond = 30.0;
+
 /// A path of eyes of one size, as the window records: {"eyes": [ ... ]}, each a camera and a pose
-/// as above with its "time_s" since the first. Where no eye has a time, as in files of early
-/// versions, so many pass a second. Throws Error (E-JSON-READ, E-CAMERA-INVALID) naming the file.
+/// as above with its "time_s"; the path begins with the first eye, at time 0. Two eyes at one time
+/// are a jump. Where no eye has a time, as in files of early versions, so many pass a second. What
+/// a screenshot's eye says besides is passed over. Throws Error (E-JSON-READ: unknown keys, too;
+/// E-CAMERA-INVALID) naming the file and, as "eyes[7]", counted from 0, the eye.
 [[nodiscard]] std::vector<TimedEye> read_path_file(const std::filesystem::path& path,
                                                    double eyes_per_second_without_times);
+
+/// What a window wrote: a screenshot's eye, then alone and at time 0, or a path. Of a screenshot's
+/// PNG file the eye in the JSON file beside it. Throws Error (E-FILE-READ, E-JSON-READ,
+/// E-CAMERA-INVALID).
+[[nodiscard]] std::vector<TimedEye> read_eyes_of_window(const std::filesystem::path& path);
 
 }  // namespace lumi

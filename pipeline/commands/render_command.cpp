@@ -96,12 +96,15 @@ void add_render_command(CLI::App& app, CommandContext& context) {
                     "of each, or with .difference, .stereo or the debug picture after the mode");
     CLI::Option* path = where->add_option(
         "--path", request->path,
-        "Along a path that the window recorded (a JSON file), or from photograph to "
-        "photograph (the word views); --out names a folder or an .mp4 file");
+        "Along a path that the window recorded (a JSON file), or on a smooth way through all "
+        "photographs' places in their order (the word views); --out names a folder or an .mp4 "
+        "file");
     where->require_option(1);
-    command.add_option("--frames", request->frames, "Of the path `views`")
+    command
+        .add_option("--frames", request->frames,
+                    "Of the path `views` (default: two thirds of a second from each photograph to "
+                    "the next, four seconds at least)")
         ->check(CLI::Range(2, 100000))
-        ->capture_default_str()
         ->needs(path);
     command
         .add_option("--video-fps", request->video_fps,

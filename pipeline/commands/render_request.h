@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "pipeline/commands/drawing_request.h"
@@ -13,7 +14,7 @@ struct RenderRequest {
     std::string view;
     std::filesystem::path eye;
     std::string path;
-    int frames = 120;
+    std::optional<int> frames;
     double video_fps = 30.0;
     double stereo_baseline = 0.0;
     bool all_views = false;

@@ -128,7 +128,7 @@ Json draw_to_file(const Job& job, const RenderRequest& request, const Lumigraph&
 Json draw_path(const RenderRequest& request, const Lumigraph& lumigraph, const Draw& draw,
                const CommandContext& context) {
     const std::vector<Eye> path =
-        eye_path(request.path, request.frames, request.size, lumigraph, request.video_fps);
+        film_path(request.path, request.frames, request.size, lumigraph, request.video_fps);
     const bool is_video = names_video(request.out);
     WholeFolder folder(is_video ? frames_folder_of_video(request.out) : request.out);
     // It may lie among the photographs, and frames are none.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "calib/pictures/image_io.h"
 #include "calib/work/child_process.h"
 #include "calib/work/error.h"
 #include "calib/work/whole_file.h"
@@ -56,6 +57,20 @@ std::string output_of(std::vector<std::string> arguments, std::size_t frames, co
     return output;
 }
 
+/// Makes frames what H.264 takes: both sides even, as 4:2:0 halves colour, and of BT.709's matrix.
+/// Black pixels at an odd side would darken the colour of those next to them.
+std::string filters_for(const ImageSize& frame) {
+    const int right = frame.width_px % 2;
+    const int bottom = frame.height_px % 2;
+    std::string filters = "format=gbrp";
+    if (right + bottom > 0)
+        filters += ",pad=" + std::to_string(frame.width_px + right) + ":" +
+                   std::to_string(frame.height_px + bottom) +
+                   ",fillborders=right=" + std::to_string(right) +
+                   ":bottom=" + std::to_string(bottom) + ":mode=smear";
+    return filters + ",scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
+}
+
 void encode(const fs::path& frames_folder, std::size_t count, double frames_per_second,
             const fs::path& video, const Progress& progress) {
     const fs::path made = frames_folder / kMadeName;
@@ -72,13 +87,19 @@ void encode(const fs::path& frames_folder, std::size_t count, double frames_per_
                "-i",
                as_pattern(frames_folder) + "/frame-%06d.png",
                "-vf",
-               "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+               filters_for(read_image_size(frames_folder / sequence_frame_name(0))),
                "-c:v",
                "libx264",
                "-crf",
                kConstantQuality,
-               "-pix_fmt",
-               "yuv420p",
+               "-colorspace",
+               "bt709",
+               "-color_primaries",
+               "bt709",
+               "-color_trc",
+               "iec61966-2-1",
+               "-color_range",
+               "tv",
                "-movflags",
                "+faststart",
                made.string()},

@@ -7,6 +7,7 @@
 #include "calib/work/printable.h"
 #include "calib/work/process_memory.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/eye_file.h"
 #include "pipeline/commands/frame_files.h"
 #include "pipeline/commands/frame_size.h"
 #include "pipeline/commands/number_checks.h"
@@ -28,6 +29,8 @@ namespace {
 struct ViewRequest {
     std::filesystem::path package;
     std::string view;
+    std::filesystem::path eye;
+    std::filesystem::path path;
     std::string mode = "perpixel";
     std::string debug = "none";
     std::string size;
@@ -87,6 +90,13 @@ PackageLoader loader_of(const ViewRequest& request) {
     };
 }
 
+/// Where the window begins; empty: at a photograph.
+std::vector<TimedEye> first_eyes(const ViewRequest& request) {
+    if (!request.eye.empty()) return {{0.0, read_eye_file(request.eye).eye}};
+    if (!request.path.empty()) return read_path_file(request.path, kUsualEyesPerSecond);
+    return {};
+}
+
 WindowOptions window_options_of(const ViewRequest& request, const CommandContext& context) {
     WindowOptions options;
     options.view_name = request.view;
@@ -96,6 +106,8 @@ WindowOptions window_options_of(const ViewRequest& request, const CommandContext
     options.frames_per_second = request.frames_per_second;
     options.planned_index = request.planned - 1;
     options.load = loader_of(request);
+    options.eyes = first_eyes(request);
+    options.read_eyes = read_eyes_of_window;
     options.exposures = request.as_taken ? Exposures::kAsTaken : Exposures::kEvened;
     options.screenshot_path = request.screenshot;
     if (!request.size.empty()) {
@@ -163,7 +175,19 @@ void add_view_command(CLI::App& app, CommandContext& context) {
                                     "lumi view work/fountain/fountain.lumi");
     const auto request = std::make_shared<ViewRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();
-    command.add_option("--view", request->view, "Begin where this photograph was taken");
+    CLI::Option* view =
+        command.add_option("--view", request->view, "Begin where this photograph was taken");
+    CLI::Option* eye =
+        command
+            .add_option("--eye", request->eye,
+                        "Begin at an eye in a JSON file, as the window writes it beside a "
+                        "screenshot; also by dropping the screenshot on the window")
+            ->excludes(view);
+    CLI::Option* path = command
+                            .add_option("--path", request->path,
+                                        "Replay a path that a window recorded (a JSON file); also "
+                                        "by dropping it on the window, and again by P")
+                            ->excludes(view, eye);
     command.add_option("--mode", request->mode, "As in lumi render")->capture_default_str();
     command.add_option("--debug", request->debug, "As in lumi render")->capture_default_str();
     command.add_option("--size", request->size,
@@ -190,9 +214,12 @@ void add_view_command(CLI::App& app, CommandContext& context) {
     command
         .add_option("--planned", request->planned,
                     "Begin where this photograph of `lumi plan` would be taken: 1, 2, ...")
-        ->check(CLI::Range(1, 100));
-    command.add_option("--screenshot", request->screenshot,
-                       "Write one frame to this PNG file, its eye beside it, and end");
+        ->check(CLI::Range(1, 100))
+        ->excludes(eye, path);
+    command
+        .add_option("--screenshot", request->screenshot,
+                    "Write one frame to this PNG file, its eye beside it, and end")
+        ->excludes(path);
     command.callback([request, &context] {
         context.chosen = [request, &context] {
             request->package = package_meant_by(request->package);

@@ -1,5 +1,6 @@
 #include "render/paths/photograph_eye.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -47,6 +48,34 @@ template <class Turned>
 Turned turned_clockwise(Turned turned, int turns) {
     for (int turn = 0; turn < turns; ++turn) turned = turned_clockwise(turned);
     return turned;
+}
+
+Eigen::Vector3d mean_up_in_world(const Lumigraph& lumigraph) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    for (const LumigraphView& view : lumigraph.views) {
+        const Eigen::Quaterniond world_from_cam = eye_at(view).cam_from_world.rotation.conjugate();
+        const Eigen::Vector3d up = world_from_cam * -Eigen::Vector3d::UnitY();
+        if (first.isZero()) first = up;
+        sum += up;
+    }
+    // Cameras that look down from all around have no common up: then the first one's serves.
+    constexpr double kSmallestAgreement = 0.05;
+    const bool agree =
+        sum.norm() > kSmallestAgreement * static_cast<double>(lumigraph.views.size());
+    return (agree ? sum : first).normalized();
+}
+
+/// Of the upright cameras' x axes r: the mean of r r^T. u^T M u is then the mean square of the
+/// sines by which they rise above a floor that u is perpendicular to.
+Eigen::Matrix3d mean_square_of_rights(const Lumigraph& lumigraph) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const LumigraphView& view : lumigraph.views) {
+        const Eigen::Vector3d right =
+            eye_at(view).cam_from_world.rotation.conjugate() * Eigen::Vector3d::UnitX();
+        sum += right * right.transpose();
+    }
+    return sum / static_cast<double>(lumigraph.views.size());
 }
 
 }  // namespace
@@ -117,19 +146,20 @@ int index_of_view(const Lumigraph& lumigraph, const std::string& name) {
 }
 
 Eigen::Vector3d up_in_world(const Lumigraph& lumigraph) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    Eigen::Vector3d first = Eigen::Vector3d::Zero();
-    for (const LumigraphView& view : lumigraph.views) {
-        const Eigen::Quaterniond world_from_cam = eye_at(view).cam_from_world.rotation.conjugate();
-        const Eigen::Vector3d up = world_from_cam * -Eigen::Vector3d::UnitY();
-        if (first.isZero()) first = up;
-        sum += up;
+    // Hands hold cameras, and poses are known, no more level than this.
+    constexpr double kLeastMeanSquareRoll = 0.0015;
+    constexpr double kWeightOfMean = 2.0;
+    constexpr int kRounds = 20;
+    const Eigen::Vector3d mean = mean_up_in_world(lumigraph);
+    const Eigen::Matrix3d rights = mean_square_of_rights(lumigraph);
+    Eigen::Vector3d up = mean;
+    for (int round = 0; round < kRounds; ++round) {
+        const double mean_square_roll = std::max(kLeastMeanSquareRoll, up.dot(rights * up));
+        const Eigen::Matrix3d pulled =
+            rights + kWeightOfMean * mean_square_roll * Eigen::Matrix3d::Identity();
+        up = pulled.ldlt().solve(mean).normalized();
     }
-    // Cameras that look down from all around have no common up: then the first one's serves.
-    constexpr double kSmallestAgreement = 0.05;
-    const bool agree =
-        sum.norm() > kSmallestAgreement * static_cast<double>(lumigraph.views.size());
-    return (agree ? sum : first).normalized();
+    return up;
 }
 
 }  // namespace lumi

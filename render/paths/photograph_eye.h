@@ -41,7 +41,15 @@ namespace lumi {
 /// there is none.
 [[nodiscard]] int index_of_view(const Lumigraph& lumigraph, const std::string& name);
 
-/// The direction that is up in the photographs, averaged over the views; of length one.
+/// The direction that is up in the scene, as far as photographs tell it; of length one.
+///
+/// People hold cameras level: the x axes r of the upright cameras are horizontal, whether they look
+/// up or down, up to a roll of mean square s^2. The mean m of their y axes, reversed, leans where
+/// cameras that look down stand on one side. So the direction is that of the u which makes
+///     mean((r . u)^2) / s^2 + 2 |u - m|^2
+/// least, (M + 2 s^2 I)^-1 m with M the mean of r r^T: m may lean by some 40 degrees, and r rise by
+/// s. s is found with u in turn, 2.2 degrees at least. Where the cameras look all one way, or are
+/// rolled as much as they look different ways, nothing tells a lean, and it stays m.
 [[nodiscard]] Eigen::Vector3d up_in_world(const Lumigraph& lumigraph);
 
 }  // namespace lumi

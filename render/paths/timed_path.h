@@ -15,7 +15,7 @@ struct TimedEye {
 
 /// Where a path of at least one eye, in the order of their times, leads at a time: between two eyes
 /// the centre runs straight, and rotation and lens change evenly; before the first and after the
-/// last eye it rests.
+/// last eye it rests. Between two eyes of one time it jumps.
 [[nodiscard]] Eye eye_at_time(std::span<const TimedEye> path, double time_s);
 
 /// The eyes of such a path from time 0 to its end, so many a second.

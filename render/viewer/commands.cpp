@@ -102,6 +102,7 @@ void toggle(DebugPicture picture, RenderOptions& render) {
 void stand(const Navigation& navigation, ViewerState& state) {
     state.navigation = navigation;
     state.replays_path = false;
+    state.has_jumped = true;
 }
 
 /// The same, turning about the scene's centre from then on.
@@ -166,6 +167,10 @@ void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& s
     stand_about_centre({state.navigation.eye.camera,
                         state.planned[static_cast<std::size_t>(planned_index)].cam_from_world},
                        lumigraph, state);
+}
+
+void go_to_eye(const Eye& eye, ViewerState& state) {
+    stand(carried_to(state.navigation, eye), state);
 }
 
 void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,

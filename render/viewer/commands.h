@@ -106,6 +106,7 @@ struct ViewerState : ViewerChoices {
     bool has_unwritten_path = false;  ///< That could not be written.
     bool writes_path_again = false;   ///< It is wished.
     bool replays_path = false;        ///< Until its end, or until the eye is moved otherwise.
+    bool has_jumped = false;  ///< To another place, instead of moving there; until it is recorded.
     bool wants_to_close = false;
     std::filesystem::path package;  ///< Where it was read; empty: it cannot be read again.
     std::vector<std::filesystem::path> recent_packages;  ///< That can be opened; may be empty.
@@ -125,6 +126,9 @@ void apply(Command command, const Lumigraph& lumigraph, ViewerState& state);
 /// Stands where a photograph is planned and turns about the scene's centre; an index that does not
 /// exist does nothing.
 void go_to_planned(int planned_index, const Lumigraph& lumigraph, ViewerState& state);
+
+/// Stands where another eye does and turns about what is straight ahead of it.
+void go_to_eye(const Eye& eye, ViewerState& state);
 
 /// Stands where a held-out photograph was taken, to compare with it.
 void go_to_held_out(int index, const std::vector<HeldOutView>& held_out, const Lumigraph& lumigraph,

@@ -99,6 +99,7 @@ std::vector<std::array<std::string, 2>> help_rows(const KeyLabels& labels) {
         {shown_places({'Q', 'E'}, labels), "fly down, up"},
         {"Shift", "fly fast"},
         {"drop a package", "open it, or that of a workspace"},
+        {"drop a screenshot", "stand there; a path: replay it"},
     };
     std::optional<Command> last;
     for (const KeyBinding& binding : key_bindings()) {

@@ -41,7 +41,19 @@ std::filesystem::path next_path_file(const std::filesystem::path& folder) {
     }
 }
 
-std::string PathRecording::append(const Eye& eye, int width_px, int height_px, double clock_s) {
+void PathRecording::add(const TimedEye& timed) {
+    // A rest has a beginning and an end, between which the eye must not creep.
+    const std::size_t count = path_.size();
+    const bool rests = is_same_eye(path_.back().eye, timed.eye);
+    if (rests && count > 1 && is_same_eye(path_[count - 2].eye, timed.eye)) {
+        path_.back() = timed;
+    } else {
+        path_.push_back(timed);
+    }
+}
+
+std::string PathRecording::append(const Eye& eye, int width_px, int height_px, double clock_s,
+                                  bool has_jumped) {
     if (!std::exchange(is_recording_, true)) {
         path_ = {{0.0, fitted_to(eye, width_px, height_px)}};
         is_unwritten_ = true;
@@ -49,13 +61,9 @@ std::string PathRecording::append(const Eye& eye, int width_px, int height_px, d
     }
     const Camera& first = path_.front().eye.camera;
     const TimedEye now{clock_s - began_at_s_, fitted_to(eye, first.width_px, first.height_px)};
-    // A rest has a beginning and an end, between which the eye must not creep.
-    const std::size_t count = path_.size();
-    const bool rests = is_same_eye(path_.back().eye, now.eye);
-    if (rests && count > 1 && is_same_eye(path_[count - 2].eye, now.eye)) {
-        path_.back() = now;
-    } else if (now.time_s > path_.back().time_s) {
-        path_.push_back(now);
+    if (now.time_s > path_.back().time_s) {
+        if (has_jumped) add({now.time_s, path_.back().eye});
+        add(now);
     }
     std::string words = "recording: " + length_of(path_);
     if (width_px != first.width_px || height_px != first.height_px)

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/paths/timed_path.h"
@@ -19,10 +20,16 @@ void write_path_file(const std::filesystem::path& path, std::span<const TimedEye
 /// The eyes of a window while its path is recorded.
 class PathRecording {
  public:
+    PathRecording() = default;
+    /// One that has ended.
+    explicit PathRecording(std::vector<TimedEye> path) : path_(std::move(path)) {}
+
     /// The eye as a window of this size shows it; all eyes get the size of the window in which the
     /// recording began. While the eye rests only the end of the rest is added. Times are those of a
-    /// steady clock and grow. Returns what people are told.
-    std::string append(const Eye& eye, int width_px, int height_px, double clock_s);
+    /// steady clock and grow. An eye that has jumped did not fly from the one before: that one
+    /// rests until then, and two eyes have one time. Returns what people are told.
+    std::string append(const Eye& eye, int width_px, int height_px, double clock_s,
+                       bool has_jumped = false);
     /// Ends the recording, and writes what was recorded and is not written yet into the folder.
     /// Returns what people are told: nothing where there is nothing to write, and why where it
     /// cannot be written; it can then be tried again until the next recording begins.
@@ -34,6 +41,8 @@ class PathRecording {
     [[nodiscard]] const std::vector<TimedEye>& path() const { return path_; }
 
  private:
+    void add(const TimedEye& timed);
+
     std::vector<TimedEye> path_;
     bool is_recording_ = false;
     bool is_unwritten_ = false;

@@ -8,6 +8,7 @@
 
 #include "calib/work/error.h"
 #include "calib/work/error_of_exception.h"
+#include "calib/work/printable.h"
 #include "calib/work/process_memory.h"
 #include "calib/work/stopwatch.h"
 #include "render/gl/capabilities.h"
@@ -30,6 +31,14 @@ constexpr double kIdleWait_s = 0.1;
 
 std::string title_of(const Lumigraph& lumigraph) { return "lumi - " + lumigraph.name; }
 
+/// A screenshot, its pose or a path, and no package.
+bool may_hold_eyes(const std::filesystem::path& path) {
+    std::error_code status;
+    const bool has_such_a_name = path.extension() == ".json" || path.extension() == ".png";
+    return has_such_a_name && path.filename() != kManifestName &&
+           std::filesystem::is_regular_file(path, status);
+}
+
 }  // namespace
 
 struct ViewerWindow::Implementation {
@@ -42,6 +51,7 @@ struct ViewerWindow::Implementation {
           picture(lumigraph),
           comparison(std::move(opened.held_out), std::move(opened.likeness_words)),
           load(options.load),
+          read_eyes(options.read_eyes),
           shown_exposures(options.exposures),
           recent_file(options.recent_file),
           progress(options.progress) {
@@ -51,6 +61,7 @@ struct ViewerWindow::Implementation {
         const bool is_as_wished = options.width_px > 0 || !options.screenshot_path.empty();
         if (const float scale = window.content_scale(); !is_as_wished && scale > 1)
             window.enlarge(scale);
+        if (options.eyes.size() > 1) eye_path.show(options.eyes, state);
     }
 
     void take_in(WindowInput input);
@@ -59,6 +70,7 @@ struct ViewerWindow::Implementation {
     void give_back_at_rest();
     void record_path() { eye_path.record(size_px, now_s(), state, statistics); }
     void keep_path_of_what_failed() noexcept;
+    void open_eyes(const std::filesystem::path& file);
     bool show_read(const std::filesystem::path& package);
     void show_wished_exposures();
     void take_wished_screenshot();
@@ -76,6 +88,7 @@ struct ViewerWindow::Implementation {
     WindowPicture picture;
     Comparison comparison;
     PackageLoader load;
+    EyesReader read_eyes;
     Exposures shown_exposures;
     std::filesystem::path recent_file;
     Progress* progress;  ///< May be null.
@@ -149,6 +162,27 @@ void ViewerWindow::Implementation::keep_path_of_what_failed() noexcept {
         if (progress && !message.empty()) progress->note(message);
     } catch (...) {
         return;
+    }
+}
+
+/// Eyes that cannot be read leave a message. A path that is being recorded is written before
+/// another takes its place.
+void ViewerWindow::Implementation::open_eyes(const std::filesystem::path& file) {
+    try {
+        std::vector<TimedEye> eyes = read_eyes(file);
+        const bool is_path = eyes.size() > 1;
+        std::string said;
+        if (is_path && std::exchange(state.records_path, false)) {
+            record_path();
+            said = statistics.message + "; ";
+        }
+        eye_path.show(std::move(eyes), state);
+        statistics.tell(said + (is_path ? "replays " : "stands at the eye of ") +
+                        printable(file.filename().string()));
+    } catch (const std::exception& exception) {
+        const auto error = error_of_exception(exception);
+        if (!error) throw;
+        statistics.tell_failure(std::string(error->what()) + " - " + error->advice());
     }
 }
 
@@ -242,7 +276,13 @@ bool ViewerWindow::step_unguarded(const WindowInput* in_place_of_user) {
                             !viewer.picture.drawn();
     WindowInput input = viewer.window.poll(is_awaited ? 0.0 : kIdleWait_s);
     if (in_place_of_user) input = *in_place_of_user;
-    for (const std::filesystem::path& path : input.dropped) open_package(path);
+    for (const std::filesystem::path& path : input.dropped) {
+        if (viewer.read_eyes && may_hold_eyes(path)) {
+            viewer.open_eyes(path);
+        } else {
+            open_package(path);
+        }
+    }
     if (const auto chosen = std::exchange(viewer.state.package_to_open, {}); !chosen.empty())
         open_package(chosen);
     viewer.show_wished_exposures();

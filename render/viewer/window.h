@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "calib/work/progress.h"
 #include "render/frame/frame.h"
+#include "render/paths/timed_path.h"
 #include "render/viewer/commands.h"
 #include "render/viewer/frame_statistics.h"
 #include "render/viewer/opened_package.h"
@@ -14,6 +16,9 @@
 namespace lumi {
 
 struct WindowInput;
+
+/// Reads what a window wrote: the eye of a screenshot, alone, or those of a path. Throws Error.
+using EyesReader = std::function<std::vector<TimedEye>(const std::filesystem::path&)>;
 
 /// How the window begins, and whether it stays.
 struct WindowOptions {
@@ -25,6 +30,10 @@ struct WindowOptions {
     int planned_index = -1;          ///< The plan's one it begins at; -1: at the photograph.
     /// Reads what is opened besides, and again.
     PackageLoader load = opened_alone;
+    /// Reads eyes from files that are dropped on the window; empty: they are taken for packages.
+    EyesReader read_eyes{};
+    /// Where it stands first in place of a photograph: one, or a path that is replayed.
+    std::vector<TimedEye> eyes{};
     /// How the photographs were read.
     Exposures exposures = Exposures::kEvened;
     /// Where the Lumigraph was read, and the list that packages which are opened are kept in

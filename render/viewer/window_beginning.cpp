@@ -16,6 +16,7 @@ ViewerState state_at_beginning(const OpenedPackage& opened, const WindowOptions&
     state.exposures = options.exposures;
     state.planned = opened.planned;
     go_to_planned(options.planned_index, opened.lumigraph, state);
+    if (!options.eyes.empty()) go_to_eye(options.eyes.front().eye, state);
     return state;
 }
 

@@ -16,8 +16,8 @@ void WindowPath::record(const Eigen::Vector2i& size_px, double clock_s, ViewerSt
     statistics.recording.clear();
     const bool is_asked_again = std::exchange(state.writes_path_again, false);
     if (state.records_path) {
-        statistics.recording =
-            recording_.append(state.navigation.eye, size_px.x(), size_px.y(), clock_s);
+        statistics.recording = recording_.append(state.navigation.eye, size_px.x(), size_px.y(),
+                                                 clock_s, state.has_jumped);
     } else if (recording_.is_recording() || is_asked_again) {
         const std::string message = end();
         if (recording_.is_unwritten()) {
@@ -26,8 +26,18 @@ void WindowPath::record(const Eigen::Vector2i& size_px, double clock_s, ViewerSt
             statistics.tell(message);
         }
     }
+    state.has_jumped = false;
     state.has_path = !state.records_path && !recording_.path().empty();
     state.has_unwritten_path = recording_.is_unwritten();
+}
+
+void WindowPath::show(std::vector<TimedEye> eyes, ViewerState& state) {
+    go_to_eye(eyes.front().eye, state);
+    if (eyes.size() < 2) return;
+    recording_ = PathRecording(std::move(eyes));
+    replay_began_s_.reset();
+    state.has_path = true;
+    state.replays_path = true;
 }
 
 bool WindowPath::replay(double clock_s, ViewerState& state) {

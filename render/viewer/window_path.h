@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/viewer/commands.h"
 #include "render/viewer/frame_statistics.h"
@@ -22,6 +23,8 @@ class WindowPath {
     /// statistics.
     void record(const Eigen::Vector2i& size_px, double clock_s, ViewerState& state,
                 FrameStatistics& statistics);
+    /// Stands at one eye alone, and replays more, in place of what was recorded.
+    void show(std::vector<TimedEye> eyes, ViewerState& state);
     /// Carries the eye along; true while it does.
     bool replay(double clock_s, ViewerState& state);
     /// Writes what is recorded; what people are told, as of PathRecording::end.

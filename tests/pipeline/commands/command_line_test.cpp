@@ -189,6 +189,8 @@ TEST(CommandLine, AnEmptyTextIsUsage) {
 TEST(CommandLine, WhatContradictsItselfIsUsage) {
     for (const char* line :
          {"render p.lumi --view a --out a.png --fade --no-fade", "view p.lumi --no-fade --fade",
+          "view p.lumi --eye a.json --path b.json", "view p.lumi --view a --eye a.json",
+          "view p.lumi --planned 1 --path a.json", "view p.lumi --path a.json --screenshot a.png",
           "render p.lumi --view a --out a.png --supersample --jagged",
           "render p.lumi --view a --out a.png --frames 5",
           "render p.lumi --all-views --out a --video-fps 5", "build -v -q p.toml",

@@ -119,6 +119,85 @@ TEST(EyeFile, NumbersAreAsManyAndAsWholeAsTheyMustBe) {
                 HasSubstr("width_px: expected a whole number"));
 }
 
+std::string eye_of_path(const std::string& before = "") { return "{" + before + kEyeAlone + "}"; }
+
+/// What reading a path of these eyes ends in.
+std::string said_of_path(const std::string& eyes) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "path.json", R"({"eyes": [)" + eyes + "]}");
+    try {
+        (void)read_path_file(scratch / "path.json", 1.0);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(PathFile, SaysWhichOfItsEyesIsWrong) {
+    const std::string right = eye_of_path() + ",";
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string wrong = eye_of_path();
+        wrong.replace(wrong.find(from), from.size(), to);
+        return said_of_path(right + right + wrong);
+    };
+    EXPECT_EQ(said_of_path(right + eye_of_path()), "accepted");
+    EXPECT_THAT(with("[1, 0, 0, 0]", "[1, 0, 0]"),
+                HasSubstr("eyes[2].cam_from_world.rotation_wxyz: expected [w, x, y, z]"));
+    EXPECT_THAT(with("[5, 6, 2, 1]", "[5]"),
+                HasSubstr("eyes[2].camera.parameters: expected [fx, fy, cx, cy]"));
+    EXPECT_THAT(with("[5, 6, 2, 1]", "[0, 6, 2, 1]"), HasSubstr("eyes[2].camera"));
+    EXPECT_THAT(with("\"width_px\": 4", "\"width_px\": 8"), HasSubstr("eyes[2]: all must have"));
+    EXPECT_THAT(with("\"camera\"", "\"Camera\""), HasSubstr("eyes[2]: unknown key `Camera`"));
+    EXPECT_THAT(with("\"model\"", "\"Model\""), HasSubstr("eyes[2].camera: key 'model' not found"));
+    EXPECT_THAT(
+        said_of_path(R"({"time_s": 1, )" + kEyeAlone + R"(}, {"time_s": 0.5, )" + kEyeAlone + "}"),
+        HasSubstr("eyes[1].time_s: expected seconds"));
+    EXPECT_THAT(said_of_path(eye_of_path(R"("time_s": "1", )")), HasSubstr("eyes[0].time_s"));
+    EXPECT_THAT(said_of_path(right + "3"), HasSubstr("eyes[1]"));
+    EXPECT_THAT(said_of_path(""), HasSubstr("eyes: expected a list of eyes"));
+}
+
+TEST(PathFile, TakesNoMisspeltTimeForNone) {
+    EXPECT_THAT(said_of_path(eye_of_path(R"("times": 0, )")),
+                HasSubstr("eyes[0]: unknown key `times`"));
+    EXPECT_EQ(said_of_path(eye_of_path(R"("time_s": 0, "lumigraph": "box", "mode": "adaptive", )")),
+              "accepted")
+        << "a screenshot's";
+}
+
+TEST(PathFile, BeginsWithItsFirstEye) {
+    const ScratchFolder scratch;
+    write_whole_text(scratch / "path.json", R"({"eyes": [)" + eye_of_path(R"("time_s": 5, )") +
+                                                "," + eye_of_path(R"("time_s": 6, )") + "," +
+                                                eye_of_path(R"("time_s": 6, )") + "]}");
+    const std::vector<TimedEye> path = read_path_file(scratch / "path.json", 1.0);
+    ASSERT_EQ(path.size(), 3U);
+    EXPECT_EQ(path[0].time_s, 0.0);
+    EXPECT_EQ(path[1].time_s, 1.0);
+    EXPECT_EQ(path[2].time_s, 1.0) << "a jump";
+}
+
+TEST(EyesOfAWindow, AreAScreenshotsOrAPaths) {
+    const ScratchFolder scratch;
+    write_screenshot(scratch / "lumi-0001.png", {ColorImage(4, 3), GrayImage(4, 3, 255), {}},
+                     some_eye(), {}, Exposures::kEvened, "box");
+    for (const char* name : {"lumi-0001.png", "lumi-0001.json"}) {
+        const std::vector<TimedEye> eyes = read_eyes_of_window(scratch / name);
+        ASSERT_EQ(eyes.size(), 1U) << name;
+        EXPECT_TRUE(is_same_eye(eyes.front().eye, some_eye())) << name;
+    }
+    write_whole_text(scratch / "path.json",
+                     R"({"eyes": [)" + eye_of_path() + "," + eye_of_path() + "]}");
+    EXPECT_EQ(read_eyes_of_window(scratch / "path.json").size(), 2U);
+    write_whole_text(scratch / "IMG_1.png", "a photograph");
+    try {
+        (void)read_eyes_of_window(scratch / "IMG_1.png");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("no IMG_1.json lies beside it"));
+    }
+}
+
 TEST(EyeFile, AModeThatThereIsNoneOfIsRefusedByName) {
     const ScratchFolder scratch;
     for (const std::string wrong : {R"("mode": "photoreal")", R"("debug_picture": "mood")",

@@ -61,6 +61,9 @@ TEST_F(FramesOfEyes, GoFromPhotographToPhotograph) {
     EXPECT_EQ(draw("--size 96x64 --path views --frames 2", frames).exit_code, 0);
     EXPECT_EQ(frames_in(frames), 2);
     EXPECT_EQ(read_color_image(frames / "frame-000001.png").width(), 96);
+    ASSERT_EQ(draw("--size 48x32 --path views --mode lightfield --video-fps 3", frames).exit_code,
+              0);
+    EXPECT_EQ(frames_in(frames), 16) << "two thirds of a second for each of eight steps";
 }
 
 TEST_F(FramesOfEyes, MakeAVideo) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 #include "calib/capture/rigid3.h"
 #include "calib/work/error.h"
 #include "tests/render/lumigraph/tiny_package.h"
@@ -137,6 +141,60 @@ TEST(UpInWorld, IsOppositeToTheImagesYAxisOfUprightPhotographs) {
     view.cam_from_world.rotation = Eigen::Quaterniond(roll) * view.cam_from_world.rotation;
     view.exif_orientation = 6;
     EXPECT_LT((up_in_world(lumigraph) - up).norm(), 1e-9);
+}
+
+/// A camera turned to the right, then tilted down, then rolled.
+Rigid3 looking(double yaw_deg, double down_deg, double roll_deg) {
+    const auto turn = [](double angle_deg, const Eigen::Vector3d& axis) {
+        return Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis);
+    };
+    return {Eigen::Quaterniond(turn(roll_deg, Eigen::Vector3d::UnitZ()) *
+                               turn(down_deg, Eigen::Vector3d::UnitX()) *
+                               turn(-yaw_deg, Eigen::Vector3d::UnitY())),
+            Eigen::Vector3d::Zero()};
+}
+
+Eigen::Vector3d up_of(const std::vector<Rigid3>& poses) {
+    Lumigraph lumigraph = tiny_lumigraph();
+    lumigraph.views.resize(poses.size(), lumigraph.views.front());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        lumigraph.views[i].exif_orientation = 1;
+        lumigraph.views[i].cam_from_world = poses[i];
+    }
+    return up_in_world(lumigraph);
+}
+
+double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+}
+
+const Eigen::Vector3d kUp = -Eigen::Vector3d::UnitY();
+
+TEST(UpInWorld, IsUprightAlsoOfCamerasThatLookDownFromOneSide) {
+    // Their mean leans back by 31 degrees.
+    std::vector<Rigid3> level;
+    std::vector<Rigid3> by_hand;
+    for (int i = 0; i < 13; ++i) {
+        level.push_back(looking(10 * i - 60, 35, 0));
+        by_hand.push_back(looking(10 * i - 60, 30 + i % 3 * 5, i % 2 == 0 ? 3 : -3));
+    }
+    EXPECT_LT(angle_deg(up_of(level), kUp), 1.5);
+    EXPECT_LT(angle_deg(up_of(by_hand), kUp), 3);
+}
+
+TEST(UpInWorld, StaysTheMeanWhereCamerasLookAllOneWay) {
+    const std::vector<Rigid3> alike{looking(0, 30, 0), looking(0, 10, 0), looking(0, 20, 0)};
+    const Eigen::Vector3d mean = looking(0, 20, 0).rotation.conjugate() * kUp;
+    EXPECT_LT(angle_deg(up_of(alike), mean), 1e-6);
+}
+
+TEST(UpInWorld, TakesNoRollsForALean) {
+    // From one side, rolled by more than they look different ways: were rolls taken to be small, a
+    // lean of 31 degrees would explain them.
+    std::vector<Rigid3> rolled;
+    for (int i = 0; i < 12; ++i)
+        rolled.push_back(looking(i - 5.5, 4 * std::cos(2.0 * i), 12 * std::sin(1.0 + i)));
+    EXPECT_LT(angle_deg(up_of(rolled), kUp), 6);
 }
 
 }  // namespace

@@ -390,5 +390,77 @@ TEST_F(LongLivedWindow, HasNoPathOfAnotherPackageToReplay) {
     EXPECT_FALSE(window.state().records_path);
 }
 
+/// Two eyes, 0.3 seconds apart, of which the second is 0.2 to the right; of "shot.json" the first.
+std::vector<TimedEye> eyes_read_from(const fs::path& file) {
+    const Eye first = eye_at(shown_box().views[2]);
+    Eye second = first;
+    second.cam_from_world.translation.x() -= 0.2;
+    if (file.filename() == "shot.json") return {{0.0, first}};
+    if (file.filename() == "path.json") return {{0.0, first}, {0.3, second}};
+    throw Error(ErrorKind::kBadInput, "E-JSON-READ", file.string() + ": is none", "mend it");
+}
+
+TEST_F(LongLivedWindow, StandsAtAScreenshotsEyeAndReplaysAPathThatAreDroppedOnIt) {
+    WindowOptions options = window_of_320x240();
+    options.read_eyes = eyes_read_from;
+    options.load = [](const fs::path&, Exposures) -> OpenedPackage {
+        throw Error(ErrorKind::kBadInput, "E-PACKAGE", "is no package", "");
+    };
+    ViewerWindow window({shown_box()}, options);
+    const auto drop = [&](const char* file) {
+        write_whole_text(file, "");
+        WindowInput input;
+        input.dropped = {file};
+        EXPECT_TRUE(window.step(&input));
+        return window.statistics().message;
+    };
+    EXPECT_EQ(drop("shot.json"), "stands at the eye of shot.json");
+    EXPECT_TRUE(is_same_eye(window.state().navigation.eye, eyes_read_from("shot.json")[0].eye));
+    EXPECT_FALSE(window.state().has_path);
+    EXPECT_NE(drop("torn.json").find("torn.json: is none - mend it"), std::string::npos);
+    EXPECT_NE(drop("notes.txt").find("is no package"), std::string::npos);
+
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    EXPECT_NE(drop("path.json").find("; replays path.json"), std::string::npos);
+    EXPECT_TRUE(fs::exists("lumi-path-0001.json")) << "what was recorded is not lost";
+    EXPECT_TRUE(window.state().has_path);
+    while (window.state().replays_path) ASSERT_TRUE(window.step());
+    EXPECT_TRUE(is_same_eye(window.state().navigation.eye, eyes_read_from("path.json")[1].eye));
+}
+
+TEST_F(LongLivedWindow, BeginsAtAnEye) {
+    WindowOptions options = window_of_320x240();
+    options.eyes = eyes_read_from("shot.json");
+    ViewerWindow window({shown_box()}, options);
+    EXPECT_TRUE(is_same_eye(window.state().navigation.eye, options.eyes[0].eye));
+    EXPECT_FALSE(window.state().replays_path);
+}
+
+TEST_F(LongLivedWindow, BeginsByReplayingAPath) {
+    WindowOptions options = window_of_320x240();
+    options.eyes = eyes_read_from("path.json");
+    ViewerWindow window({shown_box()}, options);
+    EXPECT_TRUE(window.state().replays_path);
+    while (window.state().replays_path) ASSERT_TRUE(window.step());
+    EXPECT_TRUE(is_same_eye(window.state().navigation.eye, options.eyes[1].eye));
+}
+
+TEST_F(LongLivedWindow, RecordsAJumpToAPhotographAsNoFlight) {
+    ViewerWindow window({shown_box()}, window_of_320x240());
+    window.state().records_path = true;
+    ASSERT_TRUE(window.step());
+    WindowInput input;
+    input.commands = {Command::kNextPhotograph};
+    ASSERT_TRUE(window.step(&input));
+    window.state().records_path = false;
+    ASSERT_TRUE(window.step());
+    const auto eyes = nlohmann::json::parse(read_whole_text("lumi-path-0001.json")).at("eyes");
+    ASSERT_EQ(eyes.size(), 3U);
+    EXPECT_EQ(eyes[0].at("cam_from_world"), eyes[1].at("cam_from_world"));
+    EXPECT_NE(eyes[1].at("cam_from_world"), eyes[2].at("cam_from_world"));
+    EXPECT_EQ(eyes[1].at("time_s"), eyes[2].at("time_s"));
+}
+
 }  // namespace
 }  // namespace lumi

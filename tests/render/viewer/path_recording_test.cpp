@@ -47,6 +47,21 @@ TEST(PathRecording, DoesNotLetTheEyeCreepWhereItRested) {
     EXPECT_LT(centre_in_world(rested.cam_from_world).norm(), 1e-12);
 }
 
+TEST(PathRecording, DoesNotFlyWhereTheEyeJumped) {
+    PathRecording recording;
+    append_to(recording, 0.0, 0.0);
+    append_to(recording, 0.1, 1.0);
+    recording.append(eye_from(7.0), 64, 48, 1.5, true);
+    append_to(recording, 7.1, 2.0);
+    const auto x_at = [&](double time_s) {
+        return centre_in_world(eye_at_time(recording.path(), time_s).cam_from_world).x();
+    };
+    EXPECT_NEAR(x_at(0.5), 0.05, 1e-12);
+    for (const double time_s : {1.0, 1.2, 1.499}) EXPECT_NEAR(x_at(time_s), 0.1, 1e-12) << time_s;
+    EXPECT_NEAR(x_at(1.501), 7.0, 1e-3);
+    EXPECT_NEAR(x_at(1.75), 7.05, 1e-12);
+}
+
 TEST(PathRecording, GoesOnInTheSizeOfItsBeginningWhenTheWindowIsResized) {
     PathRecording recording;
     EXPECT_EQ(append_to(recording, 0.0, 0.0), "recording: 1 eye, 0.0 s");
