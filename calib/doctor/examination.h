@@ -24,10 +24,10 @@ struct ExaminationOptions {
     std::optional<double> told_focal_length_px;  ///< For the size looked at, instead of EXIF's.
 };
 
-/// What a build of these photographs will probably take, within a factor of two or so.
+/// What a build of these photographs will probably take.
 struct ExpectedCost {
-    double cpu_s = 0.0;
-    double peak_mib = 0.0;
+    double cpu_s = 0.0;     ///< Within a factor of two or so.
+    double peak_mib = 0.0;  ///< Within a quarter or so.
 };
 
 /// From the sizes of the photographs, as a build scales them.

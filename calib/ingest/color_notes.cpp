@@ -47,6 +47,21 @@ struct Concerned {
     }
 };
 
+/// Of a few that are black and white among colored ones, or the other way round; empty where all
+/// are alike.
+std::string text_of_lost_color(const std::vector<std::string>& colored,
+                               const std::vector<std::string>& colorless) {
+    if (colored.empty() || colorless.empty()) return {};
+    const std::string advice = "; pictures drawn from both are tinted: leave out ";
+    if (colorless.size() <= colored.size())
+        return photographs_text(colorless.size(), "is", "are") +
+               " black and white, the others have colours: " + first_names(colorless) + advice +
+               "what has none, or take all without";
+    return photographs_text(colored.size(), "has", "have") +
+           " colours, the others are black and white: " + first_names(colored) + advice +
+           "what has them, or take them away";
+}
+
 }  // namespace
 
 std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
@@ -54,6 +69,8 @@ std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
     std::map<std::string, std::vector<std::string>> names_of_fault;
     Concerned clipped;
     Concerned hidden;
+    std::vector<std::string> colored;
+    std::vector<std::string> colorless;
     for (const Candidate& candidate : candidates) {
         if (candidate.left_out) continue;
         const ColorConversion& conversion = candidate.conversion;
@@ -64,6 +81,7 @@ std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
         }
         clipped.add(conversion.clipped_share, name);
         hidden.add(conversion.hidden_share, name);
+        (candidate.has_color ? colored : colorless).push_back(name);
     }
     std::vector<std::string> notes;
     for (const auto& [from, count] : converted_from) {
@@ -87,6 +105,8 @@ std::vector<std::string> color_notes(const std::vector<Candidate>& candidates) {
             "; unless all hide the same, or [depth] masks or background say otherwise, what is "
             "left is the subject that depth is found of");
     }
+    const std::string lost_color = text_of_lost_color(colored, colorless);
+    if (!lost_color.empty()) notes.push_back(lost_color);
     return notes;
 }
 

@@ -16,6 +16,38 @@ LeftOut duplicate(const std::string& name, const std::string& reason) {
     return {name, "E-INGEST-DUPLICATE", reason};
 }
 
+/// A name but for the digits in it: "m#.jpg" of m07.jpg. A camera's photographs have it in common.
+std::string pattern_of(const std::string& name) {
+    std::string pattern;
+    for (const char c : name) {
+        if (c < '0' || c > '9') {
+            pattern += c;
+        } else if (pattern.empty() || pattern.back() != '#') {
+            pattern += '#';
+        }
+    }
+    return pattern;
+}
+
+/// Of candidates with the same pixels the one that is named like most others, by those pixels; of
+/// several the first.
+std::map<std::string, const Candidate*> originals_of(const std::vector<Candidate>& candidates) {
+    std::map<std::string, int> count_of_pattern;
+    for (const Candidate& candidate : candidates) {
+        if (!candidate.left_out) ++count_of_pattern[pattern_of(candidate.photograph.name)];
+    }
+    std::map<std::string, const Candidate*> originals;
+    const auto count_of = [&](const Candidate& candidate) {
+        return count_of_pattern.at(pattern_of(candidate.photograph.name));
+    };
+    for (const Candidate& candidate : candidates) {
+        if (candidate.left_out) continue;
+        const Candidate*& original = originals[candidate.pixels_sha256];
+        if (original == nullptr || count_of(candidate) > count_of(*original)) original = &candidate;
+    }
+    return originals;
+}
+
 }  // namespace
 
 std::string pixels_sha256(const ColorImage& raster) {
@@ -55,14 +87,15 @@ bool hardly_differ(const ColorImage& a, const ColorImage& b) {
 }
 
 void leave_out_duplicates(std::vector<Candidate>& candidates) {
-    std::map<std::string, std::string> first_with;  // Name by pixels.
+    const std::map<std::string, const Candidate*> originals = originals_of(candidates);
     const Candidate* last_kept = nullptr;
     for (Candidate& candidate : candidates) {
         if (candidate.left_out) continue;
         const std::string& name = candidate.photograph.name;
-        const auto [first, is_new] = first_with.emplace(candidate.pixels_sha256, name);
-        if (!is_new) {
-            candidate.left_out = duplicate(name, "the same picture as " + first->second);
+        const Candidate* original = originals.at(candidate.pixels_sha256);
+        if (original != &candidate) {
+            candidate.left_out =
+                duplicate(name, "the same picture as " + original->photograph.name);
         } else if (last_kept != nullptr &&
                    hardly_differ(last_kept->thumbnail, candidate.thumbnail)) {
             candidate.left_out =

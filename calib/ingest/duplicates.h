@@ -19,8 +19,9 @@ struct Candidate;
 /// every single pixel. A movement of a few pixels of a working copy already shows at an edge.
 [[nodiscard]] bool hardly_differ(const ColorImage& a, const ColorImage& b);
 
-/// Leaves out (E-INGEST-DUPLICATE) whatever has the same pixels as an earlier candidate, and
-/// whatever hardly differs from the last one kept: the camera did not move, so nothing is gained.
+/// Leaves out (E-INGEST-DUPLICATE) all but one of the candidates with the same pixels, of which the
+/// one is kept whose name is like most others but for its digits, or else the first; and whatever
+/// hardly differs from the last one kept: the camera did not move, so nothing is gained.
 void leave_out_duplicates(std::vector<Candidate>& candidates);
 
 }  // namespace lumi

@@ -7,6 +7,7 @@
 #include "calib/ingest/cut_outs.h"
 #include "calib/ingest/duplicates.h"
 #include "calib/pictures/image_io.h"
+#include "calib/pictures/lost_color.h"
 #include "calib/work/error.h"
 #include "calib/work/parallel_for.h"
 
@@ -110,6 +111,7 @@ Candidate make_working_copy(const ColorImage& raster, const std::string& name,
     const ColorImage scaled = as_it_is ? ColorImage() : resized(raster, width_px, height_px);
     const ColorImage& copy = as_it_is ? raster : scaled;
     candidate.thumbnail = thumbnail_of(copy);
+    candidate.has_color = has_color(copy);
     write_png(photograph.picture_path, copy);
     return candidate;
 }

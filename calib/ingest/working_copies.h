@@ -18,6 +18,7 @@ struct Candidate {
     std::string pixels_sha256;  ///< Of the raster as stored, with its size.
     ColorImage thumbnail;
     ColorConversion conversion;
+    bool has_color = true;            ///< The copy (lost_color.h).
     std::optional<LeftOut> left_out;  ///< Then nothing else counts.
 };
 

@@ -137,13 +137,14 @@ std::vector<ConfigSection> ConfigSection::sections(const std::string& key) const
     return result;
 }
 
+std::string ConfigSection::place_of(const std::string& key) const {
+    return place(document_->name, has(key) ? table_->toml->get(key) : nullptr);
+}
+
 void ConfigSection::refuse(const std::string& key, const std::string& expected) const {
-    const toml::node* node = has(key) ? table_->toml->get(key) : nullptr;
-    throw Error(
-        ErrorKind::kUsage, "E-CONFIG-VALUE",
-        place(document_->name, node) + ": `" + joined(table_->path, key) + "`: expected " +
-            expected,
-        node != nullptr ? "correct this key, or remove it to use the default" : "add this key");
+    throw Error(ErrorKind::kUsage, "E-CONFIG-VALUE",
+                place_of(key) + ": `" + joined(table_->path, key) + "`: expected " + expected,
+                has(key) ? "correct this key, or remove it to use the default" : "add this key");
 }
 
 double ConfigSection::number(const std::string& key, double fallback) const {

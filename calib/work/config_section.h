@@ -54,6 +54,9 @@ class ConfigSection {
     /// A path relative to the configuration file, made absolute; empty when absent.
     [[nodiscard]] std::filesystem::path path(const std::string& key) const;
 
+    /// Where a key stands: "my.toml:7"; the document alone where it does not.
+    [[nodiscard]] std::string place_of(const std::string& key) const;
+
     /// An Error (kUsage, E-CONFIG-VALUE) that names file, line and key; for range checks.
     [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
 

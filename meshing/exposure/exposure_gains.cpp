@@ -22,7 +22,6 @@ constexpr double kLargestError = 0.25;  // A pair that is further off is no wors
 constexpr double kLeastGain = 0.01;
 constexpr double kNoiseFactor = 2.0;
 constexpr double kMostLeft = 0.15;
-constexpr std::size_t kNeighbours = 4;
 constexpr std::size_t kLeastPairs = 3;  // Fewer do not tell how much they differ.
 
 /// Logarithms of gains, one row a view and one column a channel.
@@ -38,13 +37,19 @@ LogRatios fold_of(const std::vector<ExposureRatio>& ratios, std::size_t fold) {
     return result;
 }
 
+/// What gains change of a ratio: in the mean of the channels, where it tells no more.
+Eigen::RowVector3d change_of(const ExposureRatio& ratio, const LogGains& gains) {
+    const Eigen::RowVector3d change = gains.row(ratio.second) - gains.row(ratio.first);
+    if (ratio.tells_white_balance) return change;
+    return Eigen::RowVector3d::Constant(change.mean());
+}
+
 /// What the gains leave of each ratio: zero when both photographs become equally bright.
 LogRatios residuals(const std::vector<ExposureRatio>& ratios, const LogRatios& log_ratios,
                     const LogGains& gains) {
     LogRatios result = log_ratios;
     for (std::size_t i = 0; i < ratios.size(); ++i) {
-        result.row(static_cast<Eigen::Index>(i)) +=
-            gains.row(ratios[i].second) - gains.row(ratios[i].first);
+        result.row(static_cast<Eigen::Index>(i)) += change_of(ratios[i], gains);
     }
     return result;
 }
@@ -93,22 +98,74 @@ LogGains solved(int view_count, const std::vector<ExposureRatio>& ratios,
     return solver.solve(right);
 }
 
+/// Of each view, whether a ratio tells how its channels differ from others'; all 1 where all do.
+std::vector<char> tell_white_balance(int view_count, const std::vector<ExposureRatio>& ratios) {
+    const bool do_all = std::all_of(ratios.begin(), ratios.end(),
+                                    [](const auto& ratio) { return ratio.tells_white_balance; });
+    std::vector<char> tell(static_cast<std::size_t>(view_count), do_all ? 1 : 0);
+    for (const ExposureRatio& ratio : ratios) {
+        if (!ratio.tells_white_balance) continue;
+        tell[static_cast<std::size_t>(ratio.first)] = 1;
+        tell[static_cast<std::size_t>(ratio.second)] = 1;
+    }
+    return tell;
+}
+
+bool do_all(const std::vector<char>& tell) {
+    return std::find(tell.begin(), tell.end(), 0) == tell.end();
+}
+
+/// What photographs have in common in all channels is asked of all ratios, how channels differ of
+/// those that tell it: a view of which none does gets one gain for all channels.
+LogGains solved_in_parts(int view_count, const std::vector<ExposureRatio>& ratios,
+                         const LogRatios& log_ratios, const Eigen::VectorXd& weights) {
+    const LogRatios common = log_ratios.rowwise().mean().replicate(1, 3);
+    Eigen::VectorXd of_colors = weights;
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+        if (!ratios[i].tells_white_balance) of_colors[static_cast<Eigen::Index>(i)] = 0.0;
+    }
+    return solved(view_count, ratios, common, weights) +
+           solved(view_count, ratios, log_ratios - common, of_colors);
+}
+
+/// Makes the geometric mean of all gains 1 in each channel, without a difference between those of a
+/// view that tells none.
+void centre_gains(const std::vector<char>& tell, LogGains& gains) {
+    if (do_all(tell)) {
+        gains.rowwise() -= gains.colwise().mean().eval();
+        return;
+    }
+    gains.array() -= gains.mean();
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    double telling = 0;
+    for (Eigen::Index i = 0; i < gains.rows(); ++i) {
+        if (tell[static_cast<std::size_t>(i)] == 0) continue;
+        sum.array() += gains.row(i).array() - gains.row(i).mean();
+        ++telling;
+    }
+    for (Eigen::Index i = 0; i < gains.rows(); ++i) {
+        if (tell[static_cast<std::size_t>(i)] != 0) gains.row(i) -= sum / telling;
+    }
+}
+
 LogGains fitted(int view_count, const std::vector<ExposureRatio>& ratios, LogRatios log_ratios,
                 ExposureModel model) {
     if (model == ExposureModel::kNone) return LogGains::Zero(view_count, 3);
     if (model == ExposureModel::kGain) {
         log_ratios = log_ratios.rowwise().mean().replicate(1, 3).eval();
     }
+    const std::vector<char> tell = tell_white_balance(view_count, ratios);
     // Pairs are weighed by what their tiles agree to before anything is known of the gains.
     Eigen::VectorXd weights = weights_for(ratios, LogRatios::Zero(log_ratios.rows(), 3));
     LogGains gains = LogGains::Zero(view_count, 3);
     for (int round = 0; round < kRounds; ++round) {
-        gains = solved(view_count, ratios, log_ratios, weights);
+        gains = do_all(tell) ? solved(view_count, ratios, log_ratios, weights)
+                             : solved_in_parts(view_count, ratios, log_ratios, weights);
         weights = weights_for(ratios, residuals(ratios, log_ratios, gains));
     }
-    gains.rowwise() -= gains.colwise().mean().eval();
+    centre_gains(tell, gains);
     gains = gains.cwiseMax(-kLargestLog).cwiseMin(kLargestLog).eval();
-    gains.rowwise() -= gains.colwise().mean().eval();
+    centre_gains(tell, gains);
     return gains;
 }
 
@@ -147,7 +204,7 @@ std::vector<double> errors_of_tiles(const std::vector<ExposureRatio>& ratios,
     for (const ExposureRatio& ratio : ratios) {
         for (const std::size_t fold : {0U, 1U}) {
             const LogGains& of_other = gains[1 - fold];
-            const Eigen::Vector3d evened = of_other.row(ratio.second) - of_other.row(ratio.first);
+            const Eigen::Vector3d evened = change_of(ratio, of_other);
             for (const Eigen::Vector3d& tile : ratio.tiles[fold])
                 errors.push_back(clipped_square(tile + evened));
         }
@@ -226,6 +283,7 @@ std::string name_of(ExposureModel model) {
 ExposureGains exposure_gains(int view_count, const std::vector<ExposureRatio>& ratios) {
     ExposureGains result;
     result.gains.assign(static_cast<std::size_t>(view_count), {1.0, 1.0, 1.0});
+    result.tell_white_balance = tell_white_balance(view_count, ratios);
     result.pairs = static_cast<int>(ratios.size());
     if (ratios.empty()) return result;
     const LogRatios log_ratios = mean_ratios(ratios);
@@ -244,29 +302,6 @@ ExposureGains exposure_gains(int view_count, const std::vector<ExposureRatio>& r
         for (Eigen::Index channel = 0; channel < 3; ++channel) {
             result.gains[static_cast<std::size_t>(i)][static_cast<std::size_t>(channel)] =
                 std::exp(gains(i, channel));
-        }
-    }
-    return result;
-}
-
-std::vector<std::array<double, 3>> gains_among_neighbours(
-    const std::vector<std::array<double, 3>>& gains,
-    const std::vector<Eigen::Vector3d>& centres_in_world) {
-    std::vector<std::array<double, 3>> result = gains;
-    for (std::size_t i = 0; i < gains.size(); ++i) {
-        std::vector<std::pair<double, std::size_t>> around;
-        for (std::size_t j = 0; j < gains.size(); ++j) {
-            around.emplace_back((centres_in_world[i] - centres_in_world[j]).squaredNorm(), j);
-        }
-        const std::size_t count = std::min(gains.size(), 1 + kNeighbours);
-        std::partial_sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count),
-                          around.end());
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            double sum = 0;
-            for (std::size_t k = 0; k < count; ++k)
-                sum += std::log(gains[around[k].second][channel]);
-            const double log = std::log(gains[i][channel]) - sum / static_cast<double>(count);
-            result[i][channel] = std::exp(std::clamp(log, -kLargestLog, kLargestLog));
         }
     }
     return result;

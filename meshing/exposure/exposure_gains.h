@@ -22,6 +22,9 @@ struct ExposureGains {
     /// Of each photograph's light, red, green and blue; their geometric mean over the photographs
     /// is 1. All 1 for ExposureModel::kNone.
     std::vector<std::array<double, 3>> gains;
+    /// Of each photograph, 0 or 1: whether its gains tell white balance. Where they do not, for it
+    /// is black and white among others that are not, it has one for all channels.
+    std::vector<char> tell_white_balance;
     int pairs = 0;  ///< Of views that share enough to be compared.
     /// Root mean square of the logarithm (base 2) of what pairs differ by, before and after.
     double difference_stops = 0.0;
@@ -44,14 +47,5 @@ struct ExposureGains {
 /// by, but how surfaces shine. Views that no ratio speaks of keep gain 1.
 [[nodiscard]] ExposureGains exposure_gains(int view_count,
                                            const std::vector<ExposureRatio>& ratios);
-
-/// The gains that bring each photograph into the mean exposure of those around it instead: each
-/// over the geometric mean of its own and those of the four nearest cameras. A picture is drawn
-/// from photographs that stand side by side, so that what differs between them shows; what changes
-/// slowly along a capture, as exposure control has it, does not, and stays as it was taken. None
-/// exceeds four stops.
-[[nodiscard]] std::vector<std::array<double, 3>> gains_among_neighbours(
-    const std::vector<std::array<double, 3>>& gains,
-    const std::vector<Eigen::Vector3d>& centres_in_world);
 
 }  // namespace lumi

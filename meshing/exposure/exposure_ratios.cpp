@@ -34,6 +34,7 @@ std::optional<ExposureRatio> ratio_of(const SharedTiles& pair, double light_fall
     ratio.log_ratio = {channelwise_median(fields[0]), channelwise_median(fields[1])};
     ratio.spread = spread_of(fields, 0.5 * (ratio.log_ratio[0] + ratio.log_ratio[1]));
     ratio.tiles = std::move(fields);
+    ratio.tells_white_balance = pair.tell_white_balance;
     return ratio;
 }
 

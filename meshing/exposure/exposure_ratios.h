@@ -21,6 +21,7 @@ struct ExposureRatio {
     double spread = 0.0;
     /// What they say, of each colour.
     std::array<std::vector<Eigen::Vector3d>, 2> tiles = {};
+    bool tells_white_balance = true;  ///< See SharedTiles.
 };
 
 /// The ratios of pairs of views whose lens loses this much light towards the corners

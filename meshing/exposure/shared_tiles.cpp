@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "calib/capture/light_left.h"
+#include "calib/pictures/lost_color.h"
 #include "calib/pictures/srgb_curve.h"
 #include "calib/work/mean.h"
 #include "calib/work/median.h"
@@ -51,8 +52,7 @@ struct LightGrid {
     FloatImage inverse_depth;      ///< Negative where it was not seen.
 };
 
-LightGrid grid_of(const PicturedView& view) {
-    const ColorImage& photograph = *view.photograph;
+LightGrid grid_of(const PicturedView& view, const ColorImage& photograph) {
     const int width = std::min(kGridWidth, photograph.width());
     const int height = std::max(1, photograph.height() * width / photograph.width());
     LightGrid grid{resized(view.camera, width, height), view.cam_from_world,
@@ -196,6 +196,41 @@ SamplesOfTiles samples_of(const LightGrid& first, const LightGrid& second) {
     return tiles;
 }
 
+/// The views on coarse rasters.
+struct LightGrids {
+    std::vector<LightGrid> colored;
+    std::vector<LightGrid> colorless;  ///< The same in black and white; empty where none needs it.
+    std::vector<char> have_color;      ///< All, where no photograph has.
+
+    [[nodiscard]] bool have_color_both(std::size_t first, std::size_t second) const {
+        return have_color[first] != 0 && have_color[second] != 0;
+    }
+};
+
+LightGrids grids_of(const std::vector<PicturedView>& views, int threads, const Progress& progress) {
+    LightGrids grids;
+    grids.colored.resize(views.size());
+    grids.have_color.resize(views.size());
+    const auto for_each_view = [&](const auto& work) {
+        parallel_for(static_cast<int>(views.size()), threads, [&](int i) {
+            progress.throw_if_interrupted();
+            work(static_cast<std::size_t>(i));
+        });
+    };
+    for_each_view([&](std::size_t i) {
+        grids.colored[i] = grid_of(views[i], *views[i].photograph);
+        grids.have_color[i] = has_color(*views[i].photograph) ? 1 : 0;
+    });
+    const auto colored = std::count(grids.have_color.begin(), grids.have_color.end(), 1);
+    if (colored == 0) grids.have_color.assign(views.size(), 1);
+    if (colored == 0 || colored == static_cast<std::ptrdiff_t>(views.size())) return grids;
+    grids.colorless.resize(views.size());
+    for_each_view([&](std::size_t i) {
+        grids.colorless[i] = grid_of(views[i], without_color(*views[i].photograph));
+    });
+    return grids;
+}
+
 std::vector<SharedTile> tiles_of(const LightGrid& first, const LightGrid& second) {
     std::vector<SharedTile> tiles;
     for (const auto& [tile, samples] : samples_of(first, second)) {
@@ -220,20 +255,18 @@ Eigen::Vector3d channelwise_median(const std::vector<Eigen::Vector3d>& samples) 
 
 std::vector<SharedTiles> shared_tiles(const std::vector<PicturedView>& views, int threads,
                                       const Progress& progress) {
-    std::vector<LightGrid> grids(views.size());
-    parallel_for(static_cast<int>(views.size()), threads, [&](int i) {
-        progress.throw_if_interrupted();
-        const auto index = static_cast<std::size_t>(i);
-        grids[index] = grid_of(views[index]);
-    });
-    const std::vector<std::pair<int, int>> pairs = partners_of_all(grids, threads);
+    const LightGrids grids = grids_of(views, threads, progress);
+    const std::vector<std::pair<int, int>> pairs = partners_of_all(grids.colored, threads);
     std::vector<SharedTiles> shared(pairs.size());
     parallel_for(static_cast<int>(pairs.size()), threads, [&](int i) {
         progress.throw_if_interrupted();
         const auto& [first, second] = pairs[static_cast<std::size_t>(i)];
-        shared[static_cast<std::size_t>(i)] = {first, second,
-                                               tiles_of(grids[static_cast<std::size_t>(first)],
-                                                        grids[static_cast<std::size_t>(second)])};
+        const auto one = static_cast<std::size_t>(first);
+        const auto other = static_cast<std::size_t>(second);
+        const bool have_color = grids.have_color_both(one, other);
+        const std::vector<LightGrid>& compared = have_color ? grids.colored : grids.colorless;
+        shared[static_cast<std::size_t>(i)] = {
+            first, second, tiles_of(compared[one], compared[other]), have_color};
     });
     return shared;
 }

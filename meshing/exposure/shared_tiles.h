@@ -25,13 +25,17 @@ struct SharedTiles {
     int first = 0;
     int second = 0;
     std::vector<SharedTile> tiles;
+    /// Not where one photograph is black and white, and the other is compared with it as such: then
+    /// the channels of a tile say the same.
+    bool tell_white_balance = true;
 };
 
 /// What each view and the eight that share most with it show of the same surfaces, each pair once.
 ///
 /// Photographs are averaged in linear light on a coarse raster; a place counts for a pair when
 /// both views have seen depth there, not only filled it, each finds the other's surface, and
-/// neither is nearly black or saturated.
+/// neither is nearly black or saturated. A photograph that is black and white among others that are
+/// not tells nothing of white balance, and its partners are compared with it without their colors.
 [[nodiscard]] std::vector<SharedTiles> shared_tiles(const std::vector<PicturedView>& views,
                                                     int threads, const Progress& progress);
 

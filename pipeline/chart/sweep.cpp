@@ -40,6 +40,18 @@ bool advance(std::vector<std::size_t>& choice, const std::vector<SweepAxis>& axe
     return false;
 }
 
+/// What is no option of the sweep was perhaps meant as a setting to try.
+void expect_options_known(const ConfigSection& options) {
+    try {
+        options.expect_all_keys_known();
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.code(), error.what(),
+                    error.advice() +
+                        " (settings to try are keys of other tables, without quotation "
+                        "marks: depth.model = [\"plane\", \"sweep\"])");
+    }
+}
+
 }  // namespace
 
 Sweep read_sweep(const fs::path& file_or_folder) {
@@ -49,7 +61,7 @@ Sweep read_sweep(const fs::path& file_or_folder) {
     sweep.modes = modes_named(options);
     sweep.repeats = options.integer("repeats", sweep.repeats);
     if (sweep.repeats < 1) options.refuse("repeats", "1 or more");
-    options.expect_all_keys_known();
+    expect_options_known(options);
 
     std::vector<ConfigList> lists = document.lists_of("sweep");
     sweep.is_default = lists.empty();

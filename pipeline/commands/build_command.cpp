@@ -25,9 +25,8 @@ void add_build_command(CLI::App& app, CommandContext& context) {
     command.add_option("--target", *wish,
                        "30fps, 30dB, 50MiB, 5min: measure the sweep and build what meets it");
     command.footer(
-        "WORKSPACE/config.toml lists every key of a configuration with its value. max_width_px "
-        "limits,\nunder [capture], the longer side of photographs, whichever that is, and, under "
-        "[depth],\nthe width of depth maps.\n"
+        "WORKSPACE/config.toml lists every key of a configuration with its value, what it means, "
+        "and which\nvalues it takes.\n"
         "Exit code 5: the package is there, but fewer than four fifths of the photographs are in "
         "it.");
     command.callback([request, wish, &context] {

@@ -17,6 +17,7 @@
 #include "pipeline/line/named_paths.h"
 #include "pipeline/stages/left_out_json.h"
 #include "pipeline/stages/overlays_json.h"
+#include "pipeline/stages/used_views.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/workspace/json_file.h"
 
@@ -53,6 +54,12 @@ int exit_code_of(Severity verdict) {
             return static_cast<int>(ErrorKind::kDegenerateCapture);
     }
     return 0;
+}
+
+std::vector<std::string> names_of(const std::vector<PhotographQuality>& photographs) {
+    std::vector<std::string> names;
+    for (const PhotographQuality& quality : photographs) names.push_back(quality.name);
+    return names;
 }
 
 Json findings_json(const std::vector<Finding>& findings) {
@@ -171,8 +178,9 @@ std::string examination_text(const Examination& seen, double depth_mib, const fs
     } else {
         text += "a build will take about " + number_text(seen.build.cpu_s, 0) +
                 " CPU s (half or twice that) and " +
-                number_text(std::max(seen.build.peak_mib, depth_mib), 0) + " MiB, of these depth " +
-                number_text(depth_mib, 0) + " MiB";
+                number_text(std::max(seen.build.peak_mib, depth_mib), 0) +
+                " MiB (a quarter more or less), of these depth " + number_text(depth_mib, 0) +
+                " MiB";
     }
     text += "; looking took " + number_text(seen.cost.cpu_s, 1) + " CPU s\n";
     return text + picture.string() + "\n";
@@ -192,6 +200,7 @@ void run_doctor(const DoctorRequest& request, CommandContext& context) {
     options.lens_is_told_elsewhere = !config.boards.empty() || !config.imported_poses.empty();
     const Examination seen = examine_capture(config.photographs_or_video, config.given_lens,
                                              options, folder, threads, *context.progress);
+    static_cast<void>(held_out_names(names_of(seen.evidence.photographs), config.hold_out));
     const fs::path picture = folder / "match_graph.svg";
     write_whole_text(picture, match_graph_svg(seen.evidence));
     const double depth = depth_mib(seen, config.depth, threads);

@@ -11,6 +11,7 @@
 #include "pipeline/evaluate/evaluate_workspace.h"
 #include "pipeline/evaluate/evaluation_file.h"
 #include "pipeline/evaluate/free_form_comparison.h"
+#include "pipeline/evaluate/metric_words.h"
 #include "pipeline/line/code_version.h"
 #include "pipeline/line/line.h"
 #include "pipeline/protocol/leave_one_out.h"
@@ -59,9 +60,7 @@ std::string certainty_text(const std::vector<ViewScore>& views) {
         const auto interval = interval_of(metric, views);
         const auto told = interval ? interval : range_of(metric, views);
         if (!told) continue;
-        (interval ? intervals : ranges) += "  " + std::string(metric.name) + " " +
-                                           number_text(told->low, 4) + " to " +
-                                           number_text(told->high, 4);
+        (interval ? intervals : ranges) += "  " + told_range(metric, *told);
     }
     std::string text;
     if (!intervals.empty()) text += "  95 % intervals of the means:" + intervals + "\n";

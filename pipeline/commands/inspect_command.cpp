@@ -6,6 +6,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/stages/drawing_effort.h"
 #include "pipeline/text/number_text.h"
+#include "pipeline/workspace/folder_size.h"
 #include "render/lumigraph/package.h"
 
 namespace lumi {
@@ -13,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json package_json(const Lumigraph& lumigraph) {
+Json package_json(const Lumigraph& lumigraph, double mib) {
     Json views = Json::array();
     for (const LumigraphView& view : lumigraph.views) {
         const Eigen::Vector3d centre = centre_in_world(view.cam_from_world);
@@ -32,6 +33,7 @@ Json package_json(const Lumigraph& lumigraph) {
         }
     }
     return Json{{"name", lumigraph.name},
+                {"mib", mib},
                 {"near_depth", lumigraph.near_depth},
                 {"far_depth", lumigraph.far_depth},
                 {"light_falloff", lumigraph.light_falloff},
@@ -64,9 +66,10 @@ std::string falloff_text(const Lumigraph& lumigraph) {
     return ", corners darker by up to " + number_text(100 * (1 - left), 0) + " % of their light";
 }
 
-std::string package_text(const Lumigraph& lumigraph) {
+std::string package_text(const Lumigraph& lumigraph, double mib) {
     std::string text =
-        lumigraph.name + ": " + counted(lumigraph.views.size(), "view") + ", depth " +
+        lumigraph.name + ": " + number_text(mib, 1) + " MiB, " +
+        counted(lumigraph.views.size(), "view") + ", depth " +
         number_text(lumigraph.near_depth, 3) + " to " + number_text(lumigraph.far_depth, 3) +
         ", camera mesh " + name_of(lumigraph.mesh.construction) + " with " +
         std::to_string(lumigraph.mesh.vertices.size()) +
@@ -100,10 +103,11 @@ void add_inspect_command(CLI::App& app, CommandContext& context) {
     command.callback([package, &context] {
         context.chosen = [package, &context] {
             const Lumigraph lumigraph = read_package(*package, {}, Exposures::kAsTaken);
+            const double mib = folder_mib(*package);
             if (context.json) {
-                context.print_result(package_json(lumigraph));
+                context.print_result(package_json(lumigraph, mib));
             } else {
-                context.print_result(package_text(lumigraph));
+                context.print_result(package_text(lumigraph, mib));
             }
         };
     });

@@ -17,6 +17,8 @@ std::string wish_text(const CapturePlan& plan, double wished_error_px) {
     if (plan.photographs_for_wish < 0) {
         return wish + " cannot be had with " + std::to_string(kMostPlanned) + " more photographs\n";
     }
+    if (plan.photographs_for_wish == 0)
+        return wish + " is reached already; the places above would help most\n";
     return wish + " takes " + counted(plan.photographs_for_wish, "more photograph") + "\n";
 }
 
@@ -47,7 +49,8 @@ void add_plan_command(CLI::App& app, CommandContext& context) {
         ->capture_default_str();
     command
         .add_option("--wish", options->wished_error_px,
-                    "Predicted error in pixels that is to be reached everywhere")
+                    "Error in pixels, predicted from the poses alone, that is to be reached "
+                    "everywhere between the cameras")
         ->check(positive_number());
     command.callback([folder, options, &context] {
         context.chosen = [folder, options, &context] { run_plan(*folder, *options, context); };

@@ -93,7 +93,8 @@ void add_render_command(CLI::App& app, CommandContext& context) {
     CLI::Option* eye = where->add_option("--eye", request->eye, kEyeFileHelp);
     where->add_flag("--all-views", request->all_views,
                     "From every photograph's place; --out names a folder, for PHOTOGRAPH.MODE.png "
-                    "of each, or with .difference, .stereo or the debug picture after the mode");
+                    "of each (what is no ASCII letter, digit or - becomes _), or with "
+                    ".difference, .stereo or the debug picture after the mode");
     CLI::Option* path = where->add_option(
         "--path", request->path,
         "Along a path that the window recorded (a JSON file), or on a smooth way through all "

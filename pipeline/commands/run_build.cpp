@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calib/work/printable.h"
 #include "pipeline/commands/partial_build.h"
 #include "pipeline/line/chosen_workspace.h"
 #include "pipeline/line/line.h"
@@ -9,6 +10,7 @@
 #include "pipeline/report/workspace_report.h"
 #include "pipeline/text/number_text.h"
 #include "pipeline/text/padded.h"
+#include "pipeline/workspace/folder_size.h"
 
 namespace lumi {
 namespace {
@@ -33,6 +35,15 @@ std::string evidence_text(const std::vector<FinishedStage>& stages) {
     return text;
 }
 
+/// What to do with a package that was built.
+std::string next_steps(const Workspace& workspace) {
+    const std::string package = printable(workspace.package_folder().string());
+    return "next: lumi view \"" + package + "\" (" +
+           number_text(folder_mib(workspace.package_folder()), 1) +
+           " MiB, all that another computer with lumi needs)\nwhat was used, left out and why: " +
+           printable(workspace.report_path().string()) + "\n";
+}
+
 }  // namespace
 
 void run_build(const BuildRequest& request, const std::string& last_stage,
@@ -54,6 +65,7 @@ void run_build(const BuildRequest& request, const std::string& last_stage,
             last_stage == "pack" ? workspace.package_folder() : workspace.stage_folder(last_stage);
         context.print_result(made.string() + "\n");
     }
+    if (last_stage == "pack") context.say(next_steps(workspace));
     refuse_partial(placed_photographs(stages), workspace);
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/commands/run_perturbations.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "calib/work/content_hash.h"
@@ -7,6 +8,7 @@
 #include "pipeline/config/config_variant.h"
 #include "pipeline/line/chosen_workspace.h"
 #include "pipeline/line/line.h"
+#include "pipeline/stress/perturbation.h"
 #include "pipeline/stress/stress_files.h"
 #include "pipeline/stress/stress_subject.h"
 #include "pipeline/text/number_text.h"
@@ -58,12 +60,17 @@ StressTask task_of(const fs::path& path, const CommandContext& context) {
 }
 
 std::string table_of(const StressResult& result) {
-    std::string table = padded_right("what is wrong", 24) + padded_right("mode", 14) +
-                        padded_left("start dB", 10) + padded_left("end dB", 10) + "   breaks at\n";
+    std::size_t width = 0;
+    for (const StressCurve& curve : result.curves)
+        width = std::max(width, words_of_perturbation(curve.perturbation).size() + 2);
+    std::string table = padded_right("what is wrong", width) + padded_right("mode", 14) +
+                        padded_left("without, dB", 12) + padded_left("at worst, dB", 14) +
+                        "   costs " + number_text(result.max_loss_db, 1) + " dB at\n";
     for (const StressCurve& curve : result.curves) {
-        table += padded_right(curve.perturbation, 24) + padded_right(name_of(curve.mode), 14) +
-                 padded_left(number_text(curve.psnr_db.front(), 2), 10) +
-                 padded_left(number_text(curve.psnr_db.back(), 2), 10) + "   " +
+        table += padded_right(words_of_perturbation(curve.perturbation), width) +
+                 padded_right(name_of(curve.mode), 14) +
+                 padded_left(number_text(curve.psnr_db.front(), 2), 12) +
+                 padded_left(number_text(curve.psnr_db.back(), 2), 14) + "   " +
                  (curve.breaking_point ? number_text(*curve.breaking_point, 3)
                                        : "beyond " + number_text(curve.strengths.back(), 1)) +
                  "\n";

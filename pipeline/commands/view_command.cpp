@@ -171,7 +171,7 @@ void run_view(const ViewRequest& request, const CommandContext& context) {
 }  // namespace
 
 void add_view_command(CLI::App& app, CommandContext& context) {
-    CLI::App& command = add_command(app, "view", "A window onto a package; F1 shows its keys",
+    CLI::App& command = add_command(app, "view", "A window onto a package; H shows its keys",
                                     "lumi view work/fountain/fountain.lumi");
     const auto request = std::make_shared<ViewRequest>();
     command.add_option("PACKAGE", request->package, "Folder NAME.lumi")->required();

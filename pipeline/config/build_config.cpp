@@ -30,6 +30,7 @@ HoldOutOptions read_hold_out_options(const ConfigSection& evaluate) {
     HoldOutOptions options;
     options.every = evaluate.integer("hold_out_every", options.every);
     options.names = evaluate.texts("hold_out", options.names);
+    options.place = evaluate.place_of("hold_out");
     if (options.every < 0 || options.every == 1) {
         evaluate.refuse("hold_out_every", "0 (none) or at least 2");
     }

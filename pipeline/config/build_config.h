@@ -19,6 +19,7 @@ namespace lumi {
 struct HoldOutOptions {
     int every = 0;                   ///< Photographs 0, N, 2N ... in order of name. 0: none; >= 2.
     std::vector<std::string> names;  ///< Instead: these, as in the photographs' folder.
+    std::string place = {};          ///< Where the configuration names them: "my.toml:7".
 };
 
 /// What goes into the package. Of views in use all have depth; those that are left out of the

@@ -110,6 +110,12 @@ bool is_of_package(const Json& evaluation, const WorkspaceLayout& workspace) {
 
 Json evaluation_of_workspace(const WorkspaceLayout& workspace) {
     const fs::path path = workspace.evaluation_folder() / kEvaluationName;
+    std::error_code status;
+    if (!fs::exists(path, status)) {
+        throw Error(ErrorKind::kBadInput, "E-EVAL-NONE",
+                    workspace.folder().string() + ": its package was not evaluated",
+                    "run `lumi evaluate " + workspace.folder().string() + "` first");
+    }
     Json evaluation = read_json_file(path);
     expect_known_version(evaluation, path);
     if (is_of_package(evaluation, workspace)) return evaluation;

@@ -37,8 +37,8 @@ constexpr int kEvaluationSchemaVersion = 4;
 
 /// An evaluation from a file, or from the workspace whose folder is named, where it must be of the
 /// package, the photographs and the depth that stand there now. Throws Error (E-JSON-READ,
-/// E-EVAL-SCHEMA: another version, E-EVAL-STALE: of others, or of a version of lumi that did not
-/// say of which, E-FILE-READ, E-WORKSPACE-NONE).
+/// E-EVAL-NONE: there is none, E-EVAL-SCHEMA: another version, E-EVAL-STALE: of others, or of a
+/// version of lumi that did not say of which, E-FILE-READ, E-WORKSPACE-NONE).
 [[nodiscard]] nlohmann::ordered_json read_evaluation(const std::filesystem::path& file_or_folder);
 
 /// The evaluation in the workspace; null when there is none, when it or the record of the package

@@ -65,6 +65,7 @@ class Line {
         finished_.push_back(
             lumi::bring_up_to_date(workspace_, stage_named(name), threads_, progress_, store_));
         write_down();
+        if (name == "ingest") read_ingested();
     }
 
  private:
@@ -115,8 +116,7 @@ class Line {
         return read_calibrated_lens(workspace_.stage_folder("calibrate"));
     }
 
-    [[nodiscard]] Stage poses_stage() {
-        read_ingested();
+    [[nodiscard]] Stage poses_stage() const {
         std::vector<ContentEntry> inputs = outputs_of("ingest", "ingest/");
         append(inputs, content_beside(config_.imported_poses));
         append(inputs, content_beside(config_.poses.mask_folder));
@@ -220,7 +220,7 @@ class Line {
 
     void read_ingested() {
         ingested_ = read_photograph_list(workspace_.stage_folder("ingest")).photographs;
-        held_out_ = held_out_names(ingested_, config_.hold_out);
+        held_out_ = held_out_names(names_of(ingested_), config_.hold_out);
     }
     void read_used_views() {
         used_ = without_views(read_posed_photographs(workspace_.stage_folder("poses") / "pinhole"),

@@ -26,6 +26,16 @@ void expect_path(const char* key, const fs::path& path, Kind kind) {
                 "configuration");
 }
 
+/// A folder of which every view needs something.
+void expect_filled(const char* key, const fs::path& folder) {
+    std::error_code status;
+    if (folder.empty() || !fs::is_empty(folder, status)) return;
+    throw Error(ErrorKind::kBadInput, "E-CONFIG-PATH",
+                "`" + std::string(key) + "`: nothing is in " + printable(folder.string()),
+                "put there what this key of the configuration is to bring, or remove it; paths are "
+                "relative to the configuration");
+}
+
 }  // namespace
 
 void expect_named_paths(const BuildConfig& config, const std::string& last_stage) {
@@ -35,6 +45,7 @@ void expect_named_paths(const BuildConfig& config, const std::string& last_stage
     expect_path("poses.masks", config.poses.mask_folder, Kind::kFolder);
     if (last_stage == "poses" || last_stage == "mesh") return;
     expect_path("depth.import_folder", config.depth.import_folder, Kind::kFolder);
+    expect_filled("depth.import_folder", config.depth.import_folder);
     expect_path("depth.import_mesh", config.depth.import_mesh, Kind::kFile);
     expect_path("depth.import_volume", config.depth.import_volume, Kind::kFile);
     expect_path("depth.masks", config.depth.mask_folder, Kind::kFolder);

@@ -4,13 +4,15 @@
 
 #include "calib/work/content_hash.h"
 #include "calib/work/whole_file.h"
+#include "pipeline/config/explained_configuration.h"
 
 namespace lumi {
 namespace {
 
 constexpr const char* kConfigNotes =
-    "# max_width_px limits, in [capture], the longer side of photographs, whichever that is, and, "
-    "in [depth], the\n# width of depth maps.\n";
+    "# [sweep] (lists of values to try, modes, repeats) and [growth] (photographs, max_width_px) "
+    "are "
+    "read by\n# lumi chart, [stress] (modes, perturbations, max_loss_db, seed) by lumi stress.\n";
 
 }  // namespace
 
@@ -23,7 +25,8 @@ std::string configuration_sha256(const BuildConfig& config) {
 
 void write_configuration(const Workspace& workspace, const BuildConfig& config) {
     write_whole_text(workspace.config_path(), std::string(kWorkspaceConfigHeader) + '\n' +
-                                                  kConfigNotes + config.movable_toml);
+                                                  kConfigNotes +
+                                                  explained_configuration(config.movable_toml));
 }
 
 }  // namespace lumi

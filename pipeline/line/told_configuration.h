@@ -11,8 +11,8 @@ namespace lumi {
 /// make the same package of the same files.
 [[nodiscard]] std::string configuration_sha256(const BuildConfig& config);
 
-/// Keeps the configuration as config.toml of the workspace, with what the names of keys do not
-/// tell.
+/// Keeps the configuration as config.toml of the workspace, with what each key means
+/// (explained_configuration).
 void write_configuration(const Workspace& workspace, const BuildConfig& config);
 
 }  // namespace lumi

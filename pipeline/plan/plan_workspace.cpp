@@ -79,9 +79,11 @@ std::string plan_text(const WorkspacePlan& planned) {
     const CapturePlan& plan = planned.plan;
     if (plan.holes.empty()) return "nothing lies between the cameras that could be planned\n";
     std::string text =
-        "predicted error between the cameras: " + number_text(plan.holes.front().error_px, 2) +
-        " px at worst, " + number_text(plan.holes[plan.holes.size() / 2].error_px, 2) +
-        " px usually\n";
+        "by the poses alone, what neighbouring photographs show of one point falls apart between "
+        "the cameras by " +
+        number_text(plan.holes.front().error_px, 2) + " px at worst, " +
+        number_text(plan.holes[plan.holes.size() / 2].error_px, 2) +
+        " px usually;\nwhat is hidden, or lies past the border of the capture, is not counted\n";
     for (std::size_t i = 0; i < plan.suggestions.size(); ++i) {
         const SuggestedView& view = plan.suggestions[i];
         text += std::to_string(i + 1) + ". " + number_text(view.error_px, 2) + " px here; " +

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "pipeline/evaluate/metric_words.h"
 #include "pipeline/evaluate/view_score.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/text/html.h"
@@ -12,30 +15,46 @@ std::string number_or_dash(const Json& value, int decimals, double factor = 1.0)
     return value.is_null() ? "-" : number_text(factor * value.get<double>(), decimals);
 }
 
+/// What stands in the tables, column by column.
+std::vector<MetricWords> told_metrics(bool has_subject) {
+    std::vector<std::string> names{"psnr_db",        "psnr_covered_db",     "ssim",     "flip",
+                                   "edge_sharpness", "psnr_gain_fitted_db", "coverage", "ms",
+                                   "cpu_ms"};
+    if (has_subject) names.insert(names.end(), {"psnr_subject_db", "subject_coverage"});
+    std::vector<MetricWords> told;
+    for (const std::string& name : names) {
+        const auto has_name = [&](const MetricWords& words) { return words.name == name; };
+        told.push_back(*std::find_if(metric_words().begin(), metric_words().end(), has_name));
+    }
+    return told;
+}
+
+/// "PSNR (dB)".
+std::string heading_of(const MetricWords& words) {
+    const std::string unit = words.unit;
+    return words.words + (unit.empty() ? "" : " (" + unit + ")");
+}
+
 std::vector<std::string> headings(bool has_subject) {
-    std::vector<std::string> texts{"",     "PSNR (dB)", "covered (dB)",        "SSIM",
-                                   "FLIP", "sharpness", "dB, exposure fitted", "covered (%)",
-                                   "ms",   "CPU ms"};
-    if (has_subject) texts.insert(texts.end(), {"subject (dB)", "of it covered (%)"});
+    std::vector<std::string> texts{""};
+    for (const MetricWords& words : told_metrics(has_subject)) texts.push_back(heading_of(words));
     return texts;
 }
 
 std::vector<std::string> row_of(const std::string& name, const Json& score, bool has_subject) {
-    std::vector<std::string> row{name,
-                                 number_or_dash(score.at("psnr_db"), 2),
-                                 number_or_dash(score.at("psnr_covered_db"), 2),
-                                 number_or_dash(score.at("ssim"), 4),
-                                 number_or_dash(score.at("flip"), 4),
-                                 number_or_dash(score.at("edge_sharpness"), 3),
-                                 number_or_dash(score.at("psnr_gain_fitted_db"), 2),
-                                 number_or_dash(score.at("coverage"), 2, 100.0),
-                                 number_or_dash(score.at("ms"), 1),
-                                 number_or_dash(score.at("cpu_ms"), 1)};
-    if (has_subject) {
-        row.push_back(number_or_dash(score.at("psnr_subject_db"), 2));
-        row.push_back(number_or_dash(score.at("subject_coverage"), 2, 100.0));
+    std::vector<std::string> row{name};
+    for (const MetricWords& words : told_metrics(has_subject)) {
+        const double factor = std::string(words.unit) == "%" ? 100.0 : 1.0;
+        row.push_back(number_or_dash(score.at(words.name), words.decimals, factor));
     }
     return row;
+}
+
+std::string legend(bool has_subject) {
+    TableRows rows;
+    for (const MetricWords& words : told_metrics(has_subject))
+        rows.push_back({heading_of(words), words.meaning});
+    return html_details("What the figures mean", html_table({"figure", "meaning"}, rows));
 }
 
 /// The bounds of an interval as two scores, for a row each.
@@ -129,9 +148,20 @@ std::string rivals_table(const Json& rivals, bool has_subject) {
 std::string ghost_remark(const Json& evaluation) {
     const Json& correlation = evaluation.at("ghost_rank_correlation").at("between_blocks");
     if (correlation.is_null()) return {};
-    return "<p>Where the blended cameras disagree, the picture is wrong: the rank correlation of "
-           "ghost energy with the true error is " +
-           number_text(correlation.get<double>(), 2) + " over blocks of 16 pixels.</p>\n";
+    constexpr double kTells = 0.4;
+    constexpr double kHardlyTells = 0.1;
+    const auto rank = correlation.get<double>();
+    const std::string what = rank >= kTells ? "Where the blended cameras disagree, the picture is "
+                                              "wrong"
+                             : rank >= kHardlyTells
+                                 ? "Where the blended cameras disagree hardly tells where the "
+                                   "picture is wrong"
+                                 : "Where the blended cameras disagree says nothing here of where "
+                                   "the picture is wrong";
+    return "<p>" + what + ": the rank correlation of ghost energy with the true error is " +
+           number_text(rank, 2) +
+           " over blocks of 16 pixels. (Ghost energy: how far the photographs that are blended at "
+           "a pixel disagree, in squared levels of luma.)</p>\n";
 }
 
 }  // namespace
@@ -150,7 +180,7 @@ std::string figures_section(const ReportSources& sources) {
                 html_escaped(text_of(evaluation.at("subject_from"))) +
                 ", drawn or not; the other figures are of the frame.</p>\n";
     }
-    html += ghost_remark(evaluation) + "<p>Drawn with " +
+    html += legend(has_subject) + ghost_remark(evaluation) + "<p>Drawn with " +
             html_escaped(text_of(evaluation.at("gl"))) +
             ". Intervals are bootstrap intervals of the mean over views; fewer than six views "
             "are told by their least and greatest. Interior: between cameras; border: continued "

@@ -13,6 +13,10 @@ namespace lumi {
 StageEvidence run_ingest_stage(const std::filesystem::path& photographs_or_video,
                                const IngestOptions& options, const std::filesystem::path& folder,
                                int threads, Progress& progress) {
+    std::error_code status;
+    if (options.video_fps != IngestOptions{}.video_fps &&
+        std::filesystem::is_directory(photographs_or_video, status))
+        progress.note("[capture] video_fps tells nothing of photographs, and is left aside");
     const IngestResult result = ingest(photographs_or_video, options, folder, threads, progress);
     write_photograph_list(folder, result);
     for (const LeftOut& left_out : result.left_out) {

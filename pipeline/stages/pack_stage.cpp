@@ -141,6 +141,10 @@ StageEvidence run_pack_stage(const PackSources& sources, const fs::path& package
     const DrawingEfforts efforts =
         sources.drawing_efforts(lumigraph, capture_of(lumigraph, sources.photographs));
     choose(efforts, lumigraph.drawing);
+    if (lumigraph.views.size() == 1 && views_in_use > 1)
+        progress.note("pack: of " + std::to_string(views_in_use) +
+                      " views one is packed ([package]): nothing is blended, and from elsewhere "
+                      "there is little to see");
     progress.begin("writing the package", 0);
     write_package(package_folder, lumigraph, extras);
     write_pack_record(folder, sources, package_folder);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "calib/work/error.h"
+#include "calib/work/nearest_word.h"
+#include "calib/work/printable.h"
 
 namespace lumi {
 namespace {
@@ -46,6 +49,18 @@ PosedPhotographs selected(const PosedPhotographs& photographs,
     return result;
 }
 
+[[noreturn]] void refuse_unknown(const std::string& name,
+                                 const std::vector<std::string>& photograph_names,
+                                 const HoldOutOptions& options) {
+    const std::optional<std::string> meant =
+        nearest_word(name, {photograph_names.begin(), photograph_names.end()});
+    throw Error(ErrorKind::kUsage, "E-EVAL-NAME",
+                (options.place.empty() ? "" : options.place + ": ") +
+                    "hold_out: no usable photograph is named " + printable(name),
+                (meant ? "did you mean `" + printable(*meant) + "`? " : std::string()) +
+                    "use names as in the photographs' folder, with '/' between folders");
+}
+
 }  // namespace
 
 std::vector<std::string> view_names(const Capture& capture) {
@@ -54,23 +69,18 @@ std::vector<std::string> view_names(const Capture& capture) {
     return names;
 }
 
-std::vector<std::string> held_out_names(const std::vector<Photograph>& photographs,
+std::vector<std::string> held_out_names(const std::vector<std::string>& photograph_names,
                                         const HoldOutOptions& options) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < photographs.size(); ++i) {
+    for (std::size_t i = 0; i < photograph_names.size(); ++i) {
         if (options.every > 0 && i % static_cast<std::size_t>(options.every) == 0) {
-            names.push_back(photographs[i].name);
+            names.push_back(photograph_names[i]);
         }
     }
     for (const std::string& name : options.names) {
-        const bool exists =
-            std::any_of(photographs.begin(), photographs.end(),
-                        [&](const Photograph& photograph) { return photograph.name == name; });
-        if (!exists) {
-            throw Error(ErrorKind::kUsage, "E-EVAL-NAME",
-                        "hold_out: no usable photograph is named " + name,
-                        "use names as in the photographs' folder, with '/' between folders");
-        }
+        const auto end = photograph_names.end();
+        if (std::find(photograph_names.begin(), end, name) == end)
+            refuse_unknown(name, photograph_names, options);
         names.push_back(name);
     }
     std::sort(names.begin(), names.end());

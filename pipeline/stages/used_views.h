@@ -14,8 +14,8 @@ namespace lumi {
 /// Names of the photographs that are held out, sorted. `every` counts photographs in order of name,
 /// whether or not their pose was found. Throws Error (E-EVAL-NAME) when a listed name is not among
 /// the photographs.
-[[nodiscard]] std::vector<std::string> held_out_names(const std::vector<Photograph>& photographs,
-                                                      const HoldOutOptions& options);
+[[nodiscard]] std::vector<std::string> held_out_names(
+    const std::vector<std::string>& photograph_names, const HoldOutOptions& options);
 
 /// The capture without the held-out views, so that no later stage can look at them: their
 /// observations go with them, and so do points that fewer than two of the other views see. Points

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "meshing/exposure/exposure_ratios.h"
+#include "meshing/exposure/gains_among_neighbours.h"
 #include "meshing/exposure/light_falloff.h"
 #include "meshing/exposure/shared_tiles.h"
 #include "pipeline/stages/chosen_views.h"
@@ -37,6 +38,8 @@ ViewExposures find_exposures(Lumigraph& lumigraph, int threads, Progress& progre
     if (exposures.found.model == ExposureModel::kNone) return exposures;
     for (std::size_t i = 0; i < lumigraph.views.size(); ++i) {
         exposures.gain_of_view[lumigraph.views[i].name] = exposures.found.gains[i];
+        if (exposures.found.tell_white_balance[i] == 0)
+            exposures.without_white_balance.insert(lumigraph.views[i].name);
     }
     return exposures;
 }
@@ -44,12 +47,14 @@ ViewExposures find_exposures(Lumigraph& lumigraph, int threads, Progress& progre
 void even_among_neighbours(const ViewExposures& exposures, Lumigraph& lumigraph) {
     if (exposures.gain_of_view.empty()) return;
     std::vector<ExposureGain> gains;
+    std::vector<char> tell_white_balance;
     std::vector<Eigen::Vector3d> centres_in_world;
     for (const LumigraphView& view : lumigraph.views) {
         gains.push_back(exposures.gain_of_view.at(view.name));
+        tell_white_balance.push_back(exposures.without_white_balance.contains(view.name) ? 0 : 1);
         centres_in_world.push_back(centre_in_world(view.cam_from_world));
     }
-    gains = gains_among_neighbours(gains, centres_in_world);
+    gains = gains_among_neighbours(gains, tell_white_balance, centres_in_world);
     for (std::size_t i = 0; i < gains.size(); ++i) lumigraph.views[i].exposure_gain = gains[i];
 }
 

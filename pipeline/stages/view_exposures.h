@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "calib/work/progress.h"
@@ -15,6 +16,8 @@ struct ViewExposures {
     /// By name: what brings each photograph into one exposure with all; empty where they do not
     /// differ.
     std::map<std::string, ExposureGain> gain_of_view;
+    /// Those whose gain tells nothing of it (ExposureGains::tell_white_balance).
+    std::set<std::string> without_white_balance;
 };
 
 /// Measures how photographs darken towards their corners, which the Lumigraph takes, and differ in

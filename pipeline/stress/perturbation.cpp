@@ -45,4 +45,11 @@ const std::vector<Perturbation>& known_perturbations() {
     return perturbations;
 }
 
+std::string words_of_perturbation(const std::string& perturbation) {
+    for (const Perturbation& known : known_perturbations()) {
+        if (known.name == perturbation) return known.words;
+    }
+    return perturbation;
+}
+
 }  // namespace lumi

@@ -25,6 +25,9 @@ struct Perturbation {
 /// dropped.
 [[nodiscard]] const std::vector<Perturbation>& known_perturbations();
 
+/// The words of the one of that name; the name, where none has it.
+[[nodiscard]] std::string words_of_perturbation(const std::string& perturbation);
+
 /// Every view turned by a rotation about a random axis, its angle normal with `sigma_deg`.
 [[nodiscard]] Lumigraph with_turned_poses(const Lumigraph& lumigraph, double sigma_deg,
                                           std::uint64_t seed);

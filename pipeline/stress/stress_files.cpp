@@ -18,13 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string words_of(const std::string& perturbation) {
-    for (const Perturbation& known : known_perturbations()) {
-        if (known.name == perturbation) return known.words;
-    }
-    return perturbation;
-}
-
 /// The names of the perturbations in the order of the curves, each once.
 std::vector<std::string> perturbations_of(const StressResult& result) {
     std::vector<std::string> names;
@@ -38,8 +31,8 @@ std::vector<std::string> perturbations_of(const StressResult& result) {
 
 Plot plot_of(const StressResult& result, const std::string& perturbation) {
     Plot plot;
-    plot.title = "What " + words_of(perturbation) + " costs";
-    plot.x_label = words_of(perturbation);
+    plot.title = "What " + words_of_perturbation(perturbation) + " costs";
+    plot.x_label = words_of_perturbation(perturbation);
     plot.y_label = "dB lost on photographs not used";
     for (const StressCurve& curve : result.curves) {
         if (curve.perturbation != perturbation) continue;
@@ -76,7 +69,7 @@ std::string csv_of(const StressResult& result) {
 std::string page_of(const StressResult& result, const std::vector<std::string>& drawings) {
     std::vector<std::vector<std::string>> rows;
     for (const StressCurve& curve : result.curves) {
-        rows.push_back({words_of(curve.perturbation), name_of(curve.mode),
+        rows.push_back({words_of_perturbation(curve.perturbation), name_of(curve.mode),
                         number_text(curve.psnr_db.front(), 2), breaking_point_text(curve)});
     }
     std::string body =
@@ -92,7 +85,7 @@ std::string page_of(const StressResult& result, const std::vector<std::string>& 
         "</p>\n";
     const std::vector<std::string> names = perturbations_of(result);
     for (std::size_t i = 0; i < drawings.size(); ++i) {
-        body += html_svg_figure(drawings[i], words_of(names[i]));
+        body += html_svg_figure(drawings[i], words_of_perturbation(names[i]));
     }
     body += html_section(
         "Breaking points",

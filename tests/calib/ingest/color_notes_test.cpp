@@ -4,6 +4,7 @@
 
 #include "calib/ingest/ingest.h"
 #include "calib/pictures/image_io.h"
+#include "calib/pictures/lost_color.h"
 #include "tests/calib/color_profiles.h"
 #include "tests/calib/cut_out_pictures.h"
 #include "tests/calib/scratch_folder.h"
@@ -70,10 +71,32 @@ TEST(ColorNotes, SayWhatIsCutOffAndWhatAlphaHides) {
                     "1 photograph is brighter than white (1.0) in places and cut off there: up to "
                     "2.5 % of the pixels, in light.tif",
                     HasSubstr("2 photographs are cut out by an alpha channel, and black where it "
-                              "hides them: up to 50 % of the pixels, in half.png")));
+                              "hides them: up to 50 % of the pixels, in half.png"),
+                    HasSubstr("1 photograph is black and white, the others have colours: "
+                              "light.tif")));
     ASSERT_EQ(result.left_out.size(), 1U);
     EXPECT_EQ(result.left_out[0].name, "nothing.png");
     EXPECT_EQ(result.left_out[0].code, "E-INGEST-HIDDEN");
+}
+
+TEST(ColorNotes, NameTheBlackAndWhiteAmongColoredPhotographsAndTheOtherWayRound) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 5; ++i) {
+        const std::string name = std::to_string(i) + ".png";
+        const ColorImage picture = wavy_picture(160, 120, 9 * i);
+        write_png(scratch / ("one/" + name), i == 2 ? without_color(picture) : picture);
+        write_png(scratch / ("four/" + name), i == 2 ? picture : without_color(picture));
+        write_png(scratch / ("all/" + name), without_color(picture));
+    }
+    SilentProgress progress;
+    const auto notes_of = [&](const char* folder) {
+        return ingest(scratch / folder, {}, scratch / "copies", 2, progress).color_notes;
+    };
+    EXPECT_THAT(notes_of("one"), ElementsAre(HasSubstr("1 photograph is black and white, the "
+                                                       "others have colours: 2.png")));
+    EXPECT_THAT(notes_of("four"), ElementsAre(HasSubstr("1 photograph has colours, the others are "
+                                                        "black and white: 2.png")));
+    EXPECT_THAT(notes_of("all"), IsEmpty());
 }
 
 }  // namespace

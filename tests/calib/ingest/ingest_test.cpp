@@ -198,6 +198,19 @@ TEST(Ingest, LeavesOutTheSamePictureUnderAnotherName) {
     EXPECT_THAT(result.left_out[0].reason, HasSubstr("1.png"));
 }
 
+TEST(Ingest, KeepsOfEqualPicturesTheOneThatIsNamedLikeTheOthers) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 3; ++i)
+        write_png(scratch / ("photos/m0" + std::to_string(i) + ".png"),
+                  wavy_picture(160, 120, 11 * i));
+    write_png(scratch / "photos/copy.png", wavy_picture(160, 120));
+    const IngestResult result = ingested(scratch);
+    EXPECT_THAT(names(result), ElementsAre("m00.png", "m01.png", "m02.png"));
+    ASSERT_EQ(result.left_out.size(), 1U);
+    EXPECT_EQ(result.left_out[0].name, "copy.png");
+    EXPECT_THAT(result.left_out[0].reason, HasSubstr("m00.png"));
+}
+
 TEST(Ingest, LeavesOutASecondShotFromTheSamePlaceButNotOneFromFourPixelsBeside) {
     const ScratchFolder scratch;
     const ColorImage scene = wavy_picture(1024, 768);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "calib/pictures/lost_color.h"
 #include "tests/meshing/exposure/exposed_wall.h"
 
 namespace lumi {
@@ -225,42 +226,43 @@ TEST(ExposureGains, DoNotAddUpWhereTilesDisagree) {
     EXPECT_LT(exposure_gains(kCount, ratios_with(0.3)).largest_stops, 0.5);
 }
 
-TEST(GainsAmongNeighbours, StayWithinWhatAPackageMayHold) {
-    std::vector<std::array<double, 3>> gains(6, {0.1, 0.1, 0.1});
-    gains[0] = {100, 100, 100};
-    std::vector<Eigen::Vector3d> centres;
-    for (int i = 0; i < 6; ++i) centres.emplace_back(i, 0, 0);
-    for (const auto& gain : gains_among_neighbours(gains, centres)) {
-        for (const double of_channel : gain) {
-            EXPECT_LE(of_channel, 16);
-            EXPECT_GE(of_channel, 1.0 / 16);
+/// Exposed wall, of which one photograph is black and white.
+TEST(ExposureGains, OfABlackAndWhitePhotographAreOneForAllChannelsAndLeaveTheOthersAsTheyAre) {
+    const auto wall_with = [](bool is_colorless) {
+        ExposedWall wall(kViews);
+        for (int i = 0; i < kViews; ++i) {
+            const double stops = 0.3 * (i % 3) - 0.9;
+            wall.expose(i, Eigen::Array3d(std::exp2(stops), std::exp2(0.7 * stops),
+                                          std::exp2(1.3 * stops)));
+        }
+        wall.expose(4, Eigen::Array3d::Constant(0.7));
+        if (is_colorless) wall.photograph(4) = without_color(wall.photograph(4));
+        return wall;
+    };
+    ExposedWall colored = wall_with(false);
+    ExposedWall mixed = wall_with(true);
+    const ExposureGains all = gains_of(colored);
+    const ExposureGains found = gains_of(mixed);
+    EXPECT_EQ(all.tell_white_balance, std::vector<char>(kViews, 1));
+    ASSERT_EQ(found.model, ExposureModel::kChannelGains);
+    for (std::size_t i = 0; i < kViews; ++i)
+        EXPECT_EQ(found.tell_white_balance[i], i == 4 ? 0 : 1) << i;
+    EXPECT_NEAR(found.gains[4][0], found.gains[4][1], 1e-9);
+    EXPECT_NEAR(found.gains[4][2], found.gains[4][1], 1e-9);
+    for (std::size_t i = 0; i < kViews; ++i) {
+        if (i == 4) continue;
+        for (const std::size_t channel : {0U, 1U, 2U}) {
+            const double beside_first = found.gains[i][channel] / found.gains[0][channel];
+            EXPECT_NEAR(beside_first, all.gains[i][channel] / all.gains[0][channel], 0.01)
+                << i << " " << channel;
         }
     }
 }
 
-TEST(GainsAmongNeighbours, UndoAJumpAndLeaveASlowChange) {
-    std::vector<std::array<double, 3>> slow;
-    std::vector<Eigen::Vector3d> centres;
-    for (int i = 0; i < 21; ++i) {
-        const double gain = std::exp2(0.1 * i);
-        slow.push_back({gain, gain, 1.0});
-        centres.emplace_back(i, 0, 0);
-    }
-    const auto kept = gains_among_neighbours(slow, centres);
-    for (std::size_t i = 2; i + 2 < slow.size(); ++i) EXPECT_NEAR(kept[i][0], 1.0, 1e-9);
-
-    std::vector<std::array<double, 3>> jump = slow;
-    jump[10][0] *= 2.0;
-    const auto undone = gains_among_neighbours(jump, centres);
-    EXPECT_NEAR(undone[10][0], std::exp2(0.8), 1e-9);
-    // What differed by a stop differs by none: the neighbours come to meet it.
-    EXPECT_NEAR(undone[10][0] / undone[9][0], 2.0, 1e-9);
-    EXPECT_NEAR(undone[5][0], 1.0, 1e-9);
-    EXPECT_EQ(undone[10][2], 1.0);
-
-    EXPECT_EQ(gains_among_neighbours({{2.0, 2.0, 2.0}}, {Eigen::Vector3d::Zero()}),
-              (std::vector<std::array<double, 3>>{{1.0, 1.0, 1.0}}));
-    EXPECT_TRUE(gains_among_neighbours({}, {}).empty());
+TEST(ExposureGains, OfBlackAndWhitePhotographsAloneAreFoundAsOfAnyOthers) {
+    ExposedWall wall(kViews);
+    for (int i = 0; i < kViews; ++i) wall.photograph(i) = without_color(wall.photograph(i));
+    expect_recovered(wall, false, ExposureModel::kGain);
 }
 
 }  // namespace

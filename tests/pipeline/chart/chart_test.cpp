@@ -84,6 +84,16 @@ class SweepFile : public testing::Test {
     ScratchFolder scratch_;
 };
 
+TEST_F(SweepFile, SaysHowASettingIsWrittenWhereOneStandsInQuotationMarks) {
+    try {
+        static_cast<void>(read("[sweep]\n\"depth.model\" = [\"sparse\", \"sweep\"]\n"));
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "E-CONFIG-KEY");
+        EXPECT_THAT(error.advice(), testing::HasSubstr("without quotation marks: depth.model = ["));
+    }
+}
+
 TEST_F(SweepFile, MakesEveryCombinationAndChangesNothingElse) {
     const Sweep sweep = read(
         "[sweep]\nmodes = [\"perpixel\"]\nrepeats = 2\n"

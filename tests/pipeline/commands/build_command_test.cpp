@@ -302,6 +302,9 @@ TEST_F(BuildCommand, WhatIsNamedAndMissingIsSaidBeforeAnythingIsDone) {
     configure("", "[depth]\nimport_mesh = \".\"\n");
     EXPECT_THAT(refusal("build"), HasSubstr("`depth.import_mesh`: no such file"));
     // Depth maps may well be made from the poses that are found here.
+    fs::create_directories(scratch_ / "empty");
+    configure("", "[depth]\nimport_folder = \"empty\"\n");
+    EXPECT_THAT(refusal("build"), HasSubstr("`depth.import_folder`: nothing is in "));
     configure("", "[depth]\nimport_folder = \"later\"\n");
     EXPECT_EQ(build("poses"), "rr");
 }
@@ -318,7 +321,14 @@ TEST_F(BuildCommand, PacksNoMoreViewsThanAreWanted) {
         if (entry.is_regular_file()) bytes += entry.file_size();
     }
     const double mib = static_cast<double>(bytes) / (1 << 20);
+    EXPECT_EQ(Json::parse(lumi("inspect --json " + quoted(package())).out).at("mib"), mib);
 
+    configure("[package]\nmax_views = 1\n");
+    const Outcome one =
+        lumi("build " + quoted(config_path()) + " --workspace " + quoted(workspace()));
+    EXPECT_THAT(one.talk, HasSubstr("pack: of 9 views one is packed ([package])"));
+    EXPECT_THAT(one.talk, HasSubstr("next: lumi view \"" + package().string() + "\" ("));
+    EXPECT_THAT(one.talk, HasSubstr((workspace() / "report.html").string() + "\n"));
     configure("[package]\nmax_views = 5\n");
     EXPECT_EQ(build(), "uuuur");
     EXPECT_EQ(views_packed(), 5U);

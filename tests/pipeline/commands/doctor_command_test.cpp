@@ -5,6 +5,7 @@
 #include <random>
 
 #include "calib/pictures/image_io.h"
+#include "calib/pictures/lost_color.h"
 #include "calib/work/whole_file.h"
 #include "tests/calib/scratch_folder.h"
 #include "tests/calib/test_pictures.h"
@@ -60,6 +61,58 @@ TEST(DoctorCommand, AnOddNameIsLeftOutAndNeitherABugNorATerminalsCommand) {
     EXPECT_THAT(ingested.talk, HasSubstr("left out caf\\xe9.jpg (E-INGEST-UNREADABLE)"));
     EXPECT_THAT(ingested.talk, HasSubstr("left out clear\\x1b[2J.jpg"));
     EXPECT_THAT(ingested.talk, testing::Not(HasSubstr("\x1b")));
+}
+
+TEST(DoctorCommand, AHeldOutPhotographThatIsNotThereIsSaidByDoctorAndIngest) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 3; ++i)
+        write_png(scratch / "photos" / ("view" + std::to_string(i) + ".png"),
+                  wavy_picture(320, 240, 100.0 * i));
+    write_whole_text(scratch / "my.toml",
+                     "[capture]\nphotos = \"photos\"\n[evaluate]\nhold_out = [\"view1.jpg\"]\n");
+    for (const char* command : {"doctor ", "ingest "}) {
+        const Outcome outcome = lumi(command + quoted(scratch / "my.toml") + " --workspace " +
+                                     quoted(scratch / "work"));
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.talk;
+        EXPECT_THAT(outcome.talk, HasSubstr("error E-EVAL-NAME"));
+        EXPECT_THAT(outcome.talk, HasSubstr("my.toml:4: hold_out: "));
+        EXPECT_THAT(outcome.talk, HasSubstr("did you mean `view1.png`?"));
+    }
+}
+
+TEST(DoctorCommand, FramesASecondOfPhotographsAreSaidToTellNothing) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 2; ++i)
+        write_png(scratch / "photos" / (std::to_string(i) + ".png"),
+                  wavy_picture(320, 240, 100.0 * i));
+    for (const char* fps : {"5.0", "2.0"}) {
+        write_whole_text(scratch / "my.toml", std::string("[capture]\nphotos = \"photos\"\n") +
+                                                  "video_fps = " + fps + "\n");
+        const Outcome outcome = lumi("ingest " + quoted(scratch / "my.toml") + " --workspace " +
+                                     quoted(scratch / "work"));
+        const auto says_it = HasSubstr("[capture] video_fps tells nothing of photographs");
+        if (std::string(fps) == "5.0") {
+            EXPECT_THAT(outcome.talk, says_it);
+        } else {
+            EXPECT_THAT(outcome.talk, testing::Not(says_it)) << "what stands in each config.toml";
+        }
+    }
+}
+
+TEST(DoctorCommand, APhotographWithoutColorsAmongColoredOnesIsNamedByDoctorAndReport) {
+    const ScratchFolder scratch;
+    for (int i = 0; i < 3; ++i) {
+        const ColorImage picture = wavy_picture(320, 240, 100.0 * i);
+        write_png(scratch / "photos" / ("view" + std::to_string(i) + ".png"),
+                  i == 1 ? without_color(picture) : picture);
+    }
+    const auto says_it = HasSubstr(
+        "1 photograph is black and white, the others have colours: "
+        "view1.png");
+    const std::string photos = quoted(scratch / "photos") + " --workspace ";
+    EXPECT_THAT(lumi("doctor " + photos + quoted(scratch / "doctor")).out, says_it);
+    EXPECT_THAT(lumi("ingest " + photos + quoted(scratch / "work")).talk, says_it);
+    EXPECT_THAT(read_whole_text(scratch / "work" / "report.html"), says_it);
 }
 
 /// Photographs of a scene that passes by unevenly, with a bar below and a label laid over each.

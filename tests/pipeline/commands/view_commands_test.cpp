@@ -28,7 +28,20 @@ TEST_F(ViewCommands, PlansWhereToPhotographNext) {
     EXPECT_GT(plan.at("suggestions").at(0).at("predicted_error_px").get<double>(), 0.0);
     EXPECT_EQ(plan.at("suggestions").at(0).at("from").size(), 2U);
     EXPECT_THAT(read_whole_text(workspace() / "plan" / "plan.svg"), HasSubstr("</svg>"));
-    EXPECT_THAT(lumi("plan --wish 0.01 " + quoted(workspace())).out, HasSubstr("0.01 px"));
+    EXPECT_THAT(lumi("plan --wish 0.01 " + quoted(workspace())).out,
+                testing::AllOf(HasSubstr("0.01 px"), HasSubstr("by the poses alone")));
+    EXPECT_THAT(lumi("plan --wish 1000 " + quoted(workspace())).out,
+                HasSubstr("1000.00 px everywhere is reached already"));
+}
+
+TEST_F(ViewCommands, WorkspacesThatWereNotEvaluatedAreNotComparedAndSaidToBe) {
+    configure("");
+    EXPECT_EQ(build("ingest"), "r");
+    const Outcome outcome =
+        lumi("compare-evaluations " + quoted(workspace()) + " " + quoted(workspace()));
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.talk, testing::AllOf(HasSubstr("error E-EVAL-NONE"),
+                                             HasSubstr("-> run `lumi evaluate ")));
 }
 
 TEST_F(ViewCommands, DrawsTheCurveOfViewsAgainstError) {

@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "calib/lens_files/lens_files.h"
 #include "calib/work/error.h"
+#include "calib/work/toml_tree.h"
 #include "calib/work/whole_file.h"
 #include "pipeline/config/config_variant.h"
+#include "pipeline/config/explained_configuration.h"
 #include "pipeline/config/lens_file.h"
 #include "tests/calib/scratch_folder.h"
 
@@ -156,6 +160,82 @@ TEST(BuildConfig, ResolvesEveryKeyWithItsDefault) {
     }
     // What was resolved is itself a configuration, and resolves to itself.
     EXPECT_EQ(read(resolved).resolved_toml, resolved);
+}
+
+/// Calls `found` with the dotted name of every key of a configuration, and its value.
+template <class Found>
+void for_each_key(const std::string& toml, const Found& found) {
+    const toml::table document = parsed_toml(toml, "test.toml");
+    for (const auto& [key, node] : document) {
+        const std::string name(key.str());
+        const toml::table* section = node.as_table();
+        if (section == nullptr) {
+            found(name, node);
+            continue;
+        }
+        for (const auto& [own, value] : *section) found(name + '.' + std::string(own.str()), value);
+    }
+}
+
+TEST(ExplainedConfiguration, EveryKeyHasAMeaningAndEveryMeaningAKey) {
+    const std::string resolved = read("[capture]\nphotos = \"photos\"\n").movable_toml;
+    const std::string explained = explained_configuration(resolved);
+    std::set<std::string> keys;
+    for_each_key(resolved, [&](const std::string& key, const toml::node&) {
+        keys.insert(key);
+        ASSERT_TRUE(key_meanings().contains(key)) << key;
+        EXPECT_THAT(explained, HasSubstr("  # " + key_meanings().at(key) + "\n")) << key;
+    });
+    for (const auto& [key, meaning] : key_meanings()) {
+        EXPECT_TRUE(keys.contains(key)) << key;
+        EXPECT_FALSE(meaning.empty());
+        EXPECT_EQ(meaning.find('\n'), std::string::npos) << key;
+    }
+}
+
+TEST(ExplainedConfiguration, SaysWhatItSaidAlsoInSeveralLines) {
+    std::string names;
+    for (int i = 0; i < 40; ++i) names += "\"photograph " + std::to_string(i) + ".jpg\", ";
+    for (const std::string& more :
+         {std::string(), "[evaluate]\nhold_out = [" + names + "]\n",
+          std::string("[poses]\nmax_reprojection_error_px = 1.23456789012345\n"),
+          std::string("[poses]\ncolmap = \"a\\nthreads = 3\"\n")}) {
+        const std::string resolved = read("[capture]\nphotos = \"/p\"\n" + more).movable_toml;
+        EXPECT_EQ(read(explained_configuration(resolved)).movable_toml, resolved);
+    }
+}
+
+/// As it stands after "expected" where a value is refused; empty where it is not, or for its type.
+std::string expected_instead(const std::string& key, const std::string& value) {
+    const std::size_t dot = key.find('.');
+    const std::string section = dot == std::string::npos ? "" : "[" + key.substr(0, dot) + "]\n";
+    const std::string line = key.substr(dot == std::string::npos ? 0 : dot + 1) + " = " + value;
+    const Error refused = refusal_of(
+        key.starts_with("capture.")
+            ? section + "photos = \"photos\"\n" + line + "\n"
+            : (dot == std::string::npos ? line + "\n" : "") + "[capture]\nphotos = \"photos\"\n" +
+                  (dot == std::string::npos ? "" : section + line + "\n"));
+    const std::string said = refused.what();
+    const std::string before = "`" + key + "`: expected ";
+    const std::size_t at = said.find(before);
+    return at == std::string::npos ? "" : said.substr(at + before.size());
+}
+
+TEST(ExplainedConfiguration, NamesTheValuesThatAWrongOneIsAnsweredWith) {
+    int checked = 0;
+    for_each_key(read("[capture]\nphotos = \"photos\"\n").resolved_toml,
+                 [&](const std::string& key, const toml::node& node) {
+                     const bool is_text = node.is_string();
+                     if (key == "name" || key == "capture.photos" || key == "calibration.camera" ||
+                         !(is_text || node.is_number()))
+                         return;
+                     const std::string expected =
+                         expected_instead(key, is_text ? "\"no such word\"" : "-7");
+                     if (expected.empty()) return;
+                     ++checked;
+                     EXPECT_THAT(key_meanings().at(key), HasSubstr(expected));
+                 });
+    EXPECT_GT(checked, 25);
 }
 
 TEST(BuildConfig, RefusesAnUnknownKeyInEverySectionWithASuggestion) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "calib/work/whole_file.h"
 #include "pipeline/evaluate/comparison_strip.h"
 #include "pipeline/evaluate/evaluation_file.h"
+#include "pipeline/evaluate/metric_words.h"
 #include "pipeline/report/sections.h"
 #include "pipeline/report/spread.h"
 #include "pipeline/report/verdict.h"
@@ -302,6 +304,59 @@ TEST(Report, SaysWhereSettingsWereChosenByTheHeldOutPhotographs) {
     for (const char* told : {"20dB was wished for, and is met", "perpixel",
                              "depth.model = &lt;b&gt;", "21.5", "promised", "measured"})
         EXPECT_NE(html.find(told), std::string::npos) << told;
+}
+
+/// The section of figures of an evaluation with one mean and this correlation.
+std::string figures_with(double ghost_correlation) {
+    Json mean;
+    for (const MetricWords& words : metric_words()) mean[words.name] = nullptr;
+    const Json nothing{{"views", 0}};
+    ReportSources sources{WorkspaceLayout("work", "cat"), {}, {}, {}, {}};
+    sources.evaluation = Json{{"subject_from", nullptr},
+                              {"mode", "perpixel"},
+                              {"mean", mean},
+                              {"views", Json::array()},
+                              {"interior", nothing},
+                              {"border", nothing},
+                              {"modes", Json::object()},
+                              {"rivals", nullptr},
+                              {"ghost_rank_correlation", {{"between_blocks", ghost_correlation}}},
+                              {"gl", "plain"}};
+    return figures_section(sources);
+}
+
+TEST(FiguresSection, DoesNotSayThatGhostEnergyTellsErrorsWhereItDoesNot) {
+    using testing::HasSubstr;
+    EXPECT_THAT(figures_with(0.64),
+                HasSubstr("the blended cameras disagree, the picture is wrong"));
+    EXPECT_THAT(figures_with(0.15), HasSubstr("disagree hardly tells where the picture is wrong"));
+    for (const double rank : {0.05, -0.34})
+        EXPECT_THAT(figures_with(rank),
+                    HasSubstr("says nothing here of where the picture is wrong"));
+    EXPECT_THAT(figures_with(-0.34), HasSubstr("is -0.34 over blocks"));
+}
+
+TEST(FiguresSection, SaysWhatEachOfItsFiguresMeans) {
+    const std::string html = figures_with(0.5);
+    for (const char* name : {"psnr_db", "flip", "edge_sharpness", "psnr_gain_fitted_db"}) {
+        const auto has_name = [&](const ScoreMetric& metric) {
+            return metric.name == std::string(name);
+        };
+        const auto metric = std::find_if(score_metrics().begin(), score_metrics().end(), has_name);
+        EXPECT_THAT(html, testing::HasSubstr(html_escaped(words_of(*metric).meaning))) << name;
+    }
+}
+
+TEST(MetricWords, AreThereForEveryFigureAndTellItsRange) {
+    ASSERT_EQ(metric_words().size(), score_metrics().size());
+    for (std::size_t i = 0; i < score_metrics().size(); ++i)
+        EXPECT_STREQ(metric_words()[i].name, score_metrics()[i].name);
+    EXPECT_EQ(told_range(score_metrics()[0], {22.6277, 28.4296}), "PSNR 22.63 to 28.43 dB");
+    const auto is_coverage = [](const ScoreMetric& metric) {
+        return metric.name == std::string("coverage");
+    };
+    const auto coverage = std::find_if(score_metrics().begin(), score_metrics().end(), is_coverage);
+    EXPECT_EQ(told_range(*coverage, {0.9, 0.98765}), "coverage 90.00 to 98.77 %");
 }
 
 }  // namespace

@@ -17,15 +17,6 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<Photograph> photographs_named(const std::vector<std::string>& names) {
-    std::vector<Photograph> photographs;
-    for (const std::string& name : names) {
-        photographs.emplace_back();
-        photographs.back().name = name;
-    }
-    return photographs;
-}
-
 /// Three views; one point seen by all, one by the first two, one without a track.
 PosedPhotographs three_views() {
     PosedPhotographs photographs;
@@ -41,18 +32,22 @@ PosedPhotographs three_views() {
 }
 
 TEST(HeldOutNames, CountPhotographsInOrderOfName) {
-    const auto photographs = photographs_named({"a", "b", "c", "d", "e"});
+    const std::vector<std::string> photographs{"a", "b", "c", "d", "e"};
     EXPECT_THAT(held_out_names(photographs, {2, {}}), ElementsAre("a", "c", "e"));
     EXPECT_THAT(held_out_names(photographs, {0, {"d", "b"}}), ElementsAre("b", "d"));
     EXPECT_THAT(held_out_names(photographs, {}), ElementsAre());
 }
 
-TEST(HeldOutNames, RefuseANameThatIsNotThere) {
+TEST(HeldOutNames, RefuseANameThatIsNotThereAndOfferTheNearest) {
     try {
-        static_cast<void>(held_out_names(photographs_named({"a"}), {0, {"x"}}));
+        static_cast<void>(
+            held_out_names({"b/IMG_10.jpg", "IMG_2.jpg"}, {0, {"IMG_10.jpg"}, "my.toml:7"}));
         FAIL() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), "E-EVAL-NAME");
+        EXPECT_THAT(error.what(), testing::StartsWith("my.toml:7: hold_out: "));
+        EXPECT_THAT(error.what(), testing::HasSubstr("IMG_10.jpg"));
+        EXPECT_THAT(error.advice(), testing::HasSubstr("did you mean `"));
     }
 }
 

@@ -169,6 +169,7 @@ TEST(StressFiles, ChartsOfOtherRunsAndOtherPackagesAreNotTheseOnes) {
     StressResult result;
     result.package_sha256 = package_sha256(workspace);
     result.curves = {{"blur_px", RenderMode::kPerPixel, {0, 1}, {30, 29}, {}}};
+    EXPECT_EQ(words_of_perturbation("pose_rotation_deg"), "rotation of the poses (degrees)");
     write_stress_files(stress, result, SilentProgress());
     const std::map<std::string, fs::path> charts = stress_charts_of(workspace);
     ASSERT_EQ(charts.size(), 1U);
