@@ -99,7 +99,8 @@ std::vector<Eye> tour_through_views(const Lumigraph& lumigraph, int count, int w
     std::vector<Rigid3> poses;
     for (const LumigraphView& view : lumigraph.views) poses.push_back(eye_at(view).cam_from_world);
     const Camera camera = fitted_to(eye_at(lumigraph.views.front()), width_px, height_px).camera;
-    const double middle_depth = 2 / inverse_depth_range(lumigraph).sum();
+    const InverseDepthRange scene = scene_inverse_depths(lumigraph);
+    const double middle_depth = 2 / (scene.near + scene.far);
     const PoseCurve curve(poses, middle_depth);
     const std::vector<Step> steps = steps_along(curve, middle_depth);
     const double way =
