@@ -58,8 +58,8 @@ const std::map<std::string, std::string>& key_meanings() {
         {"capture.min_photographs", "with fewer a build ends: 1 or more"},
         {"capture.min_width_px",
          "photographs with a shorter side below it are left out: more than 0"},
-        {"capture.photos", "folder of photographs; or else a video"},
-        {"capture.video", "file of a video; or else photos"},
+        {"capture.photos", "folder of photographs: either `photos` or `video`"},
+        {"capture.video", "file of a video: either `photos` or `video`"},
         {"capture.video_fps", "frames taken from each second of a video: more than 0"},
 
         {"depth.background",
